@@ -1,5 +1,5 @@
-//! What two freedoms an element (twist and the bending about the limp axis) cost beside three: free hair, and hair under a comb. The two take
-//! turns, step by step, so that what else the machine does falls on both alike.
+//! The cost of two freedoms per element (twist and bending about the soft axis) beside three: free hair, and hair under a comb.
+//! The two take turns, step by step, so that other programs affect both alike.
 //!
 //! `cargo bench --profile demo --bench freedoms`: ratios of one thread's processor time, medians over the steps.
 //! `cargo bench … -- --steps free|comb BITS COUNT`: that many steps and nothing else, for callgrind.
@@ -16,7 +16,7 @@ use superhelix::{
 
 const TEETH: usize = 7;
 
-/// Hair that hangs from rows of follicles, and what moves there.
+/// Hair on rows of follicles, and what moves there.
 struct Scene {
     solver: Solver,
     strands: Vec<StrandId>,
@@ -31,7 +31,7 @@ fn scene(comb: bool, count: usize, elements: usize, freedoms: Freedoms, set: Opt
     let mut options = SolverOptions { instruction_set: set, ..SolverOptions::default() };
     options.step.tolerance = 1e-5;
     if !comb {
-        // As many iterations for both.
+        // The same number of iterations for both.
         (options.step.max_iterations, options.step.tolerance, options.step.max_subdivisions) = (3, f64::MIN_POSITIVE, 0);
     }
     let mut solver = Solver::new(options).expect("a solver");
@@ -76,7 +76,7 @@ fn stroke(t: f64) -> Frame {
 }
 
 impl Scene {
-    /// One step; its iterations a strand.
+    /// One step; returns its iterations per strand.
     fn step(&mut self) -> f64 {
         self.time += self.step;
         if self.teeth.is_empty() {
@@ -132,7 +132,7 @@ fn main() {
         let [kind, bits, count, ..] = &arguments[at + 1..] else { panic!("--steps free|comb BITS COUNT") };
         let freedoms = Freedoms::from_bits("BITS", bits.parse().expect("BITS")).expect("BITS");
         let comb = kind == "comb";
-        // Valgrind knows no AVX-512.
+        // Valgrind does not support AVX-512.
         let mut scene = scene(comb, if comb { 100 } else { 96 }, if comb { 5 } else { 10 }, freedoms, Some(InstructionSet::Avx2));
         let iterations: f64 = (0..count.parse().expect("COUNT")).map(|_| scene.step()).sum();
         println!("{iterations}");

@@ -1,4 +1,5 @@
-//! How long it takes to pose strands: `cargo bench --bench posing --profile demo`. Prints the rows of a table in `docs/theory/posing.md`.
+//! The time for posing strands: `cargo bench --bench posing --profile demo`. Prints the rows of a table in
+//! `docs/theory/posing.md`.
 
 use std::time::Instant;
 
@@ -11,10 +12,10 @@ const ELEMENTS: usize = 10;
 const LENGTH: f64 = 0.25;
 /// Moves of a stroke.
 const MOVES: usize = 30;
-/// Strokes; the quickest counts.
+/// Strokes; the fastest counts.
 const STROKES: usize = 7;
 
-/// Wavy strands on a head of 9 cm, falling down.
+/// Wavy strands that fall down a head of 9 cm.
 fn groom() -> Vec<StrandDef> {
     (0..STRANDS)
         .map(|k| {

@@ -1,8 +1,8 @@
-//! What render hair costs: 150,000 strands of 16 points from the 1000 guides of a real groom, through the C ABI into the caller's floats; and as many
-//! from 228 guides on their bust, kept out of it.
+//! The cost of render hair: 150,000 strands of 16 points from the 1000 guides of a real groom, through the C ABI into the
+//! caller's floats; and as many from 228 guides on their bust, kept out of it.
 //!
-//! Each round evaluates every kind of output once, so that what else the machine does falls on all alike; the figures are the least and
-//! the median over the rounds.
+//! Each round evaluates every type of output once, so that other programs affect all alike; the figures are the least and the
+//! median over the rounds.
 //!
 //! `cargo bench --profile demo --bench render_hair -- [--csv FILE] [--rounds 15] [--strands 150000]`
 #![allow(unsafe_code)] // calls of the C ABI
@@ -64,7 +64,7 @@ fn output<T>(data: &mut [T], count: usize, format: u32) -> shx_output {
     shx_output { data: data.as_mut_ptr().cast(), stride: 0, count, format, reserved: 0 }
 }
 
-/// A mesh as a distance grid in cells as heads are baked.
+/// A mesh as a distance grid, with the usual cells of a baked head.
 fn head(path: &str) -> Vec<u8> {
     let mut mesh = obj_mesh::read(path).expect("a mesh");
     mesh.vertices.iter_mut().for_each(|vertex| *vertex *= 0.01);
@@ -99,7 +99,7 @@ fn time(work: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64() * 1e3
 }
 
-/// A groom's guides, and roots of strands among theirs.
+/// A groom's guides, and roots of strands among them.
 struct Groom {
     counts: Vec<u32>,
     points: Vec<[f32; 3]>,

@@ -1,10 +1,9 @@
-//! Reading a head of hair and keeping it: how fast strands are sampled beside a copy of as many bytes, what a strand takes in memory, and
-//! what adding and removing strands costs.
+//! Reading and storing a head of hair: the speed of sampling beside a copy of as many bytes, the memory of a strand, and the cost
+//! of adding and removing strands.
 //!
-//! Sampling: 150,000 strands of 5 elements, 16 points each, into the caller's floats through the C ABI, on one thread and on two. Each
-//! round times a copy (`memcpy`) of the same bytes and every kind of output once, so that what else the machine does falls on all alike;
-//! the figures are the least and the median over the rounds, with the processor time (medians), which says what another program's share
-//! of the machine hides.
+//! Sampling: 150,000 strands of 5 elements, 16 points each, into the caller's floats through the C ABI, on one thread and on two.
+//! Each round times a copy (`memcpy`) of the same bytes and every type of output once, so that other programs affect all alike.
+//! The figures are the least and the median over the rounds, with the processor time (medians), which excludes other programs.
 //!
 //! `cargo bench --bench sampling -- [--csv FILE] [--rounds 15] [--strands 150000] [--only memory|population|sampling]`
 #![allow(unsafe_code)] // calls of the C ABI, and a counting allocator
@@ -26,7 +25,7 @@ use superhelix::internals::capi::strands::{shx_solver_add_strands, shx_solver_re
 use superhelix::internals::capi::types::*;
 use superhelix::{Integrator, Solver, SolverOptions, StrandDef};
 
-/// Bytes that are held now: what was asked for, and what the allocator makes of it (glibc: a word more, in units of 16, at least 32).
+/// Bytes in use: as requested, and as rounded up by the allocator (glibc: one word more, in units of 16, at least 32).
 struct Counting;
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 static TAKEN: AtomicUsize = AtomicUsize::new(0);
@@ -113,7 +112,7 @@ impl Drop for Head {
     }
 }
 
-/// Definitions and the natural shapes that they point to: every strand a shape and a length of its own.
+/// Definitions and their natural shapes: every strand has its own shape and length.
 fn definitions(strands: usize) -> (Vec<shx_strand_def>, Vec<[[f64; 3]; ELEMENTS]>) {
     let shapes: Vec<[[f64; 3]; ELEMENTS]> = (0..strands)
         .map(|strand| {
@@ -167,7 +166,7 @@ fn both_times(work: impl FnOnce()) -> (f64, f64) {
     (clock, processor() - before)
 }
 
-/// What is sampled: a name, and bytes a point of points, frames and velocities.
+/// A type of output: a name, and bytes per point of points, frames and velocities.
 struct Kind {
     name: &'static str,
     formats: [Option<(u32, usize)>; 3],
@@ -186,7 +185,7 @@ fn sampling(strands: usize, rounds: usize, csv: &mut String) {
     let heads = [Head::new(strands, 1), Head::new(strands, 2)];
     let mut memory: Vec<Vec<u8>> = [32, 16, 12].iter().map(|bytes| vec![1_u8; items * bytes]).collect();
     let source = vec![7_u8; items * 28];
-    // [kind][0: the copy, 1, 2: threads, 3, 4: their processor time], a value a round.
+    // [kind][0: the copy, 1, 2: threads, 3, 4: their processor time], one value per round.
     let mut times: Vec<[Vec<f64>; 5]> = KINDS.iter().map(|_| Default::default()).collect();
     for round in 0..=rounds {
         for (kind, times) in KINDS.iter().zip(&mut times) {
@@ -255,7 +254,7 @@ fn sampling(strands: usize, rounds: usize, csv: &mut String) {
     }
 }
 
-/// The walk along each strand in f64, one after the other, into the same floats: what bulk sampling is there to beat.
+/// One pass along each strand in f64, strand after strand, into the same floats: the baseline for bulk sampling.
 fn one_by_one(strands: usize, rounds: usize, csv: &mut String) {
     let mut solver = Solver::new(SolverOptions::default()).expect("a solver");
     let defs: Vec<StrandDef> = (0..strands)
@@ -314,7 +313,7 @@ fn population(strands: usize, csv: &mut String) {
     }
 }
 
-/// Bytes a strand: what the solver says, what it asked the allocator for, and what the allocator takes for it.
+/// Bytes per strand: as reported by the solver, as requested from the allocator, and as taken by it.
 fn memory(csv: &mut String) {
     const STRANDS: usize = 2000;
     println!("bytes a strand ({STRANDS} strands, each of a shape of its own, after four steps): told, asked for, taken");
@@ -344,7 +343,7 @@ fn memory(csv: &mut String) {
                 let now = (ASKED.load(Ordering::Relaxed), TAKEN.load(Ordering::Relaxed));
                 [solver.memory_usage() as f64, (now.0 - before.0) as f64, (now.1 - before.1) as f64]
             };
-            // What does not depend on the number of strands (scratch memory among it) falls out of the difference.
+            // The difference cancels what does not depend on the number of strands, such as scratch memory.
             let (few, many) = (held(STRANDS / 2), held(STRANDS));
             let [told, asked, taken] = std::array::from_fn(|k| (many[k] - few[k]) / (STRANDS / 2) as f64);
             println!("{:20} N = {elements:3}: {told:8.0} {asked:8.0} {taken:8.0}", format!("{integrator:?}"));
@@ -358,8 +357,9 @@ fn main() {
     let value = |name: &str| arguments.iter().position(|a| a == name).and_then(|at| arguments.get(at + 1));
     let rounds: usize = value("--rounds").map_or(15, |text| text.parse().expect("--rounds N"));
     let strands: usize = value("--strands").map_or(150_000, |text| text.parse().expect("--strands N"));
-    // sampling: copy, one thread, two (ms, the least of all rounds), processor time of the latter two (medians); population: adding, removing
-    // every other one, adding as many (ms of processor time); memory: bytes a strand, told, asked for and taken.
+    // sampling: copy, one thread, two (ms, the least of all rounds), processor time of the latter two (medians); population:
+    // adding, removing every other one, adding as many (ms of processor time); memory: bytes per strand, reported, requested and
+    // taken.
     let mut csv = String::from("kind,what,count,a,b,c,d,e\n");
     let wants = |part: &str| value("--only").is_none_or(|only| only == part);
     if wants("memory") {

@@ -62,7 +62,7 @@ PARTS = {"SolverBase", "Strands", "Shapes", "Posing", "Sampling", "Bodies", "Con
 
 
 def public_name(names: tuple[str, ...]) -> str:
-    """What a user writes for a function of the Python binding."""
+    """The Python expression for a function of the binding."""
     outer = ["Solver" if name in PARTS else name for name in names]
     shown: list[str] = []
     for name in outer:
@@ -123,7 +123,7 @@ LANGUAGES = (
     Language("C#", "csharp.md", ("csharp/com.superhelix.hair/Runtime/**/*.cs",), csharp_calls),
 )
 
-#: Generated files: they name everything and reach nobody.
+#: Generated files: they name everything, but users do not call them.
 GENERATED = ("_capi.py", "Native.cs", "NativeMethods.cs")
 
 

@@ -1,4 +1,4 @@
-"""What the C interface's description cannot say, for the generators of C++ and C#: which arrays of a structure share a count, and what their items are.
+"""What the C interface's description lacks, for the generators of C++ and C#: which arrays of a structure share a count, and what their items are.
 
 A count with a point is that of a view and is set with it. Items: a C type, or one of "curvature" (three doubles), "triangle" (three indices), "frame",
 "float2", "float3", "double6".

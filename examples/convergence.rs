@@ -53,7 +53,7 @@ fn definition(p: &Value) -> StrandDef {
     def
 }
 
-/// Tips at the reference's times (each 1/60 s) with `per_output` steps between two of them.
+/// Tips at the reference's times (every 1/60 s) with `per_output` steps in between.
 fn simulate(case: &Value, integrator: Integrator, per_output: usize) -> Vec<Vector3<f64>> {
     let def = definition(&case["parameters"]);
     let mut options = SolverOptions::default();
@@ -95,7 +95,7 @@ fn main() {
             for per_output in [1, 2, 4, 8, 16, 32, 64, 128, 256] {
                 let tips = simulate(case, integrator, per_output);
                 let error = worst(tips.iter().copied(), known(), length);
-                // From this step and the one twice as long; nothing for the first.
+                // From this step and the one twice as long; none for the first.
                 let extrapolated = coarser
                     .as_ref()
                     .map(|coarse| worst(tips.iter().zip(coarse).map(|(a, b)| a + (a - b) * weight), known(), length));

@@ -15,7 +15,7 @@ fn fit(case: &Case, options: &FrictionFitOptions) -> FrictionFit {
     fit_friction(&case.strand, &case.recording, &case.motion, options).expect("a fit")
 }
 
-/// The curve with internal friction as it is given.
+/// The curve with the given internal friction.
 fn curve_with(case: &Case, internal_friction: f64) -> Vec<f64> {
     let held = Sought {
         coefficient: InternalFriction,

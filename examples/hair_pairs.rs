@@ -1,5 +1,5 @@
-//! What finding hair against hair costs: a real groom fitted with ten elements a strand, 1,000 strands and copies of it side by side,
-//! with radii that give few or many contacts. Prints a table. `cargo run --profile demo --example hair_pairs`.
+//! The cost of detecting contacts between hairs: a real groom fitted with ten elements per strand, 1,000 strands and copies of it
+//! side by side, with radii that give few or many contacts. Prints a table. `cargo run --profile demo --example hair_pairs`.
 
 use std::path::Path;
 use std::time::Instant;
@@ -40,7 +40,7 @@ fn groom() -> Vec<Strand> {
     fitted.collect()
 }
 
-/// The strands bent by `bent` rad/m more, waving from strand to strand, and turned with the head by `turned` rad.
+/// The strands bent by an additional `bent` rad/m, varying from strand to strand, and turned with the head by `turned` rad.
 fn posed(strands: &[Strand], bent: f64, turned: f64) -> Vec<Kinematics<f64>> {
     let rule = Rule::gauss_legendre(1);
     let head = Rotation3::from_axis_angle(&Vector3::y_axis(), turned);

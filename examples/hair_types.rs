@@ -1,4 +1,5 @@
-//! Kinds of hair before and after: the natural shapes of a lock of each, and its rest under gravity; and what the sliders do to hair at rest.
+//! Types of hair before and after settling: the natural shapes of a lock of each, and its rest under gravity; and the effect of
+//! the sliders on hair at rest.
 //!
 //! `cargo run --profile demo --example hair_types -- docs/figures` writes docs/figures/hair_types.csv and hair_sliders.csv, the tables of
 //! docs/theory/hair_types.md.
@@ -10,17 +11,17 @@ use superhelix::editing::EquilibriumOptions;
 use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
 use superhelix::{Frame, Solver, SolverOptions, StrandDef};
 
-/// Length of the locks, m, and points that are looked at of a strand.
+/// Length of the locks, m, and sampled points per strand.
 const LENGTH: f64 = 0.15;
 const POINTS: usize = 120;
 
 /// The points of the strands of a lock.
 type Lock = Vec<Vec<Vector3<f64>>>;
 
-/// Strands of a kind with their roots on a small disc, leaving along `direction`: the points of each before and after they came to rest, and
-/// how many found no rest.
+/// Strands of a type with their roots on a small disc, leaving along `direction`: the points of each before and after settling,
+/// and how many did not converge.
 fn lock(hair: &HairParameters, strands: u32, length: f64, direction: Vector3<f64>) -> (Lock, Lock, usize) {
-    // Four elements a turn, and not fewer than 24.
+    // Four elements per turn, at least 24.
     let curvature = hair.natural.iter().map(|value| value * value).sum::<f64>().sqrt();
     let elements = ((4.0 * length * curvature / std::f64::consts::TAU).ceil() as usize).max(24);
     let frame = UnitQuaternion::rotation_between(&Vector3::x(), &direction).expect("a direction that is not straight back");
@@ -59,7 +60,7 @@ fn span(strands: &[Vec<Vector3<f64>>], length: f64) -> f64 {
     strands.iter().map(|points| (points[POINTS - 1] - points[0]).norm()).sum::<f64>() / (strands.len() as f64 * length)
 }
 
-/// The root mean square distance of the tips from their middle, roots taken off, m.
+/// The root mean square distance of the tips from their centroid, relative to the roots, m.
 fn spread(strands: &[Vec<Vector3<f64>>]) -> f64 {
     let tips: Vec<Vector3<f64>> = strands.iter().map(|points| points[POINTS - 1] - points[0]).collect();
     let middle = tips.iter().sum::<Vector3<f64>>() / tips.len() as f64;
@@ -76,7 +77,7 @@ fn main() {
         let alike = measured.parameters(CurlFormula::Exact).expect("a published type");
         let hair = HairParameters { variation: Variation::natural(), ..alike };
         let (before, after, unsettled) = lock(&hair, 16, LENGTH, -Vector3::z());
-        // 5 cm of one strand without variation that leaves its root level.
+        // 5 cm of one strand without variation that leaves its root horizontally.
         let (_, level, lost) = lock(&alike, 1, 0.05, Vector3::x());
         let droop = -(level[0][POINTS - 1] - level[0][0]).z / 0.05;
         let [a1, a2] = measured.semi_axes();

@@ -1,4 +1,4 @@
-//! Where the papers' linearly implicit step holds and where it blows up, and how far each integrator's tip is off: three kinds of hair,
+//! Where the linearly implicit step holds and where it blows up, and the error of each integrator's tip: three types of hair,
 //! three motions, three dissipations, five steps. The table of docs/notebook/integrators.md.
 //!
 //! "Blown up": a tip faster than 100 m/s, a curvature beyond 1e5 rad/m, or a state that is not finite. The
@@ -68,7 +68,7 @@ fn strand(hair: &str, dissipation: &str) -> StrandDef {
     def
 }
 
-/// The curvatures in which a strand hangs: what is left of ten seconds in honey.
+/// The curvatures in which a strand hangs: the result of ten seconds in honey.
 fn settled(def: &StrandDef, gravity: Vector3<f64>) -> Vec<[f64; 3]> {
     let mut thick = def.clone();
     (thick.material.viscosity, thick.material.air_drag) = (0.05, 1e-4);
@@ -111,7 +111,7 @@ fn simulate(def: &StrandDef, movement: Move, integrator: Integrator, rate: u32) 
             return Err(t);
         }
         last = tip;
-        // Tenths of a second are met by every rate.
+        // Every rate has steps at the tenths of a second.
         if step % (rate / 10) == 0 {
             tips.push(tip);
         }

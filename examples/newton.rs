@@ -1,5 +1,5 @@
-//! Newton iterations a step: a head shaken hard and a recorded walk, both integrators that minimise, two tolerances. The table of
-//! docs/theory/newton.md.
+//! Newton iterations per step: a head shaken hard and a recorded walk, both integrators that minimise, two tolerances. The table
+//! of docs/theory/newton.md.
 //!
 //! `cargo run --release --example newton -- docs/figures/newton.csv`
 
@@ -32,7 +32,7 @@ fn root(walk: Option<&Motion>, t: f64) -> Frame {
     head.compose(&follicle)
 }
 
-/// Mean and most iterations a step, and how many steps needed more than the default cap.
+/// Mean and largest number of iterations per step, and how many steps needed more than the default cap.
 fn iterations(walk: Option<&Motion>, integrator: Integrator, tolerance: f64, count: usize, rate: u32) -> (f64, u32, u64) {
     let mut options = SolverOptions { gravity: Vector3::new(0.0, -9.81, 0.0), ..SolverOptions::default() };
     (options.step.integrator, options.step.tolerance, options.step.max_iterations) = (integrator, tolerance, 300);

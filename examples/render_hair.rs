@@ -1,5 +1,5 @@
-//! How well render strands stand in for real ones: of a groom every so many strands are guides, strands are made at the roots of the others, and
-//! both are compared: the length, the turning and the size of the curls that are kept, and how far the two are apart.
+//! How well render strands replace real ones: some strands of a groom become guides, render strands grow at the roots of the
+//! others, and both are compared: the length, the turning and the size of the curls that remain, and the distance of the two.
 //!
 //! `cargo run --profile demo --example render_hair -- OUT.csv`
 
@@ -12,7 +12,7 @@ use superhelix::render::{
     GuideSamples, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
 };
 
-/// Points of a strand: a dozen a curl of the curliest groom.
+/// Points per strand: a dozen per curl of the curliest groom.
 const POINTS: usize = 64;
 
 type Strand = Vec<Vector3<f64>>;

@@ -149,7 +149,7 @@ static groom read_groom(const options *o) {
     CHECK(shx_strand_def_set_fit(def, &fitted[i], g.lengths + i * how.element_count, g.shapes + 3 * i * how.element_count));
     g.rest_roots[g.strand_count] = def->root;
     def->internal_friction = 1e-10;
-    /* What was measured on real hair, disciplined and fuzzy: nothing else damps a bare hair that touches no other. */
+    /* Measured on real hair, disciplined and fuzzy: nothing else damps a bare hair without contact. */
     def->air_drag = o->body != NULL ? 5e-6 : 5e-5;
     worst = fitted[i].rms_error > worst ? fitted[i].rms_error : worst;
     sum += fitted[i].rms_error;

@@ -43,7 +43,7 @@ static double sleep_until(const struct timespec *start, double seconds) {
 
 /* ---- the hand ------------------------------------------------------------------------------------------------------- */
 
-/* What device and main thread share: the haptic object, and, once both have ended, the numbers. */
+/* Shared by device and main thread: the haptic object and, once both have ended, the numbers. */
 typedef struct shared {
   shx_haptic *haptic;
   struct timespec start;

@@ -135,7 +135,7 @@ int main(void) {
   printf("clipped %zu\n", held_count);
   CHECK(shx_solver_remove_constraints(solver, held, held_count));
 
-  /* The style as it is now is fixed; a finger wakes what it comes to. */
+  /* The current style is frozen; a finger wakes the strands that it approaches. */
   uint8_t frozen[STRANDS];
   shx_body_id finger[1];
   size_t count;

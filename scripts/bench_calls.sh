@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a call through the C++ and the C# binding costs beside the same call from C, on one thread: the tables of docs/reference/cpp.md and docs/reference/csharp.md.
+# The cost of a call through the C++ and the C# binding beside the same call from C, on one thread: the tables of docs/reference/cpp.md and docs/reference/csharp.md.
 # Environment: SUPERHELIX_BUILD, a folder with lib/ and include/; else scripts/build_lib.sh, into build.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -58,7 +58,7 @@ for type in "${types[@]}"; do
     strip=(--strip-debug)
     [ "$profile" != dev ] || strip=()
     scripts/localise_symbols.sh "$output.a" include/exports.txt "$build/lib/libsuperhelix.a" "${strip[@]}"
-    # What a program that links the static library needs beside it, as rustc says. The compiler adds the unwinder itself: libgcc_s, or
+    # The libraries that a program needs beside the static library, as reported by rustc. The compiler adds the unwinder itself: libgcc_s, or
     # libgcc_eh for a program that is wholly static.
     sed -n 's/^note: native-static-libs: //p' "$messages" | tail -n 1 | sed 's/-lgcc_s\b *//' >"$build/lib/native_libraries.txt"
     if [ ! -s "$build/lib/native_libraries.txt" ]; then

@@ -34,7 +34,7 @@ build/venv/bin/python docs/figures/plot_performance.py
 build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
 build/venv/bin/python docs/figures/plot_hair_types.py
-# (What the styling tests print is not committed.)
+# (The styling tests' output is not committed.)
 if [ -e build/styling.txt ]; then
   build/venv/bin/python docs/figures/plot_styling.py build/styling.txt
 fi

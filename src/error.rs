@@ -1,8 +1,8 @@
-//! What can go wrong, said so that the caller can mend it: every error names the argument and the value.
+//! Errors that the caller can act on: each names the argument and the value.
 
 use std::fmt;
 
-/// An error of the engine. Nothing was changed when one is returned.
+/// An error of the engine. The call that returns it changed nothing.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
@@ -11,16 +11,16 @@ pub enum Error {
         /// The argument's name.
         argument: String,
     },
-    /// A value is out of range: not a number, negative where it may not be, not an enumerated value, a wrong count.
+    /// A value is out of range: NaN, negative where that makes no sense, not an enumerated value, a wrong count.
     InvalidArgument {
-        /// The argument's name, with an index where it stands in a list: `strands[3].length`.
+        /// The argument's name, with an index if it is in a list: `strands[3].length`.
         argument: String,
-        /// The value as it came.
+        /// The value as passed.
         value: String,
-        /// What would have been right.
+        /// What is valid.
         expected: String,
     },
-    /// An identifier that this solver never gave out, or whose strand has been removed.
+    /// An identifier that this solver never issued, or whose strand was removed.
     InvalidId {
         /// The argument's name.
         argument: String,
@@ -31,23 +31,23 @@ pub enum Error {
     StructSize {
         /// The argument's name.
         argument: String,
-        /// The size that it states.
+        /// The size in that field.
         value: usize,
     },
     /// A caller's buffer is too short.
     BufferTooSmall {
         /// The argument's name.
         argument: String,
-        /// How many items it holds.
+        /// How many items it can hold.
         capacity: usize,
         /// How many are needed.
         needed: usize,
-        /// What is counted: "items" or "bytes".
+        /// The unit of both: "items" or "bytes".
         unit: &'static str,
     },
     /// The solver is in use: it was called again from one of its own callbacks.
     Busy,
-    /// A snapshot image is not one, is truncated, or is of another version.
+    /// A snapshot is invalid, truncated, or of another version.
     Snapshot {
         /// What is wrong with it.
         reason: String,
@@ -57,13 +57,13 @@ pub enum Error {
         /// How many bytes were asked for.
         bytes: usize,
     },
-    /// A request that this build does not serve.
+    /// This build does not support the request.
     Unsupported {
         /// The argument's name.
         argument: String,
-        /// The value as it came.
+        /// The value as passed.
         value: String,
-        /// What to use in its place.
+        /// What to use instead.
         hint: String,
     },
     /// A file could not be read, written or understood.
@@ -73,7 +73,7 @@ pub enum Error {
         /// What is wrong with it, and where.
         reason: String,
     },
-    /// A bug of the library was caught at its border; the solver is poisoned.
+    /// The interface caught a bug of the library; the solver is poisoned.
     Panic {
         /// The panic's message.
         message: String,
@@ -91,7 +91,7 @@ impl Error {
         Error::InvalidArgument { argument: argument.into(), value: value.to_string(), expected: expected.into() }
     }
 
-    /// The same error of an argument's part: `outer` goes before its name.
+    /// The same error for a field of an argument: puts `outer` before its name.
     pub fn inside(self, outer: &str) -> Self {
         match self {
             Error::InvalidArgument { argument, value, expected } => {
@@ -102,7 +102,7 @@ impl Error {
         }
     }
 
-    /// The same error with another name of the argument: `name` for what begins with `old`.
+    /// The same error with the argument's leading `old` replaced by `name`.
     pub(crate) fn renamed(self, old: &str, name: &str) -> Self {
         self.with_argument(|argument| match argument.strip_prefix(old) {
             Some(rest) => format!("{name}{rest}"),
@@ -110,12 +110,12 @@ impl Error {
         })
     }
 
-    /// The same error with `name` for each `old` in the argument's name.
+    /// The same error with every `old` in the argument's name replaced by `name`.
     pub(crate) fn renamed_in(self, old: &str, name: &str) -> Self {
         self.with_argument(|argument| argument.replace(old, name))
     }
 
-    /// The same error with the fields of an argument under other names: each pair is the old name and the new one.
+    /// The same error with fields renamed: each pair is the old name and the new one.
     pub(crate) fn with_fields(self, names: &[(&str, &str)]) -> Self {
         let rename = |segment: &str| {
             let (name, index) = segment.split_at(segment.find('[').unwrap_or(segment.len()));
@@ -175,7 +175,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Checks that a number is finite, or says which argument is not.
+/// Checks that a number is finite; the error names the argument.
 pub(crate) fn check_finite(argument: impl FnOnce() -> String, value: f64) -> Result<()> {
     if value.is_finite() { Ok(()) } else { Err(Error::invalid(argument(), value, "a finite number")) }
 }

@@ -77,25 +77,25 @@
 
 // Files:
 //
-// - `error.rs`: What can go wrong, said so that the caller can mend it: every error names the argument and the value.
-// - `memory.rs`: Memory that grows with a host's numbers is asked for before it is needed, so that its want is an error and not the program's end.
-// - `meter.rs`: What a substep may cost: work, which is counted and the same on every machine; a moment when it is to be over.
-// - `platform.rs`: What the system beneath has: a clock, threads, numbers of processes.
-// - `workers.rs`: Running work on many strands: on the calling thread, in a private pool, or by the host's task system.
+// - `error.rs`: Errors that the caller can act on: each names the argument and the value.
+// - `memory.rs`: Fallible allocation: memory that grows with a host's numbers is reserved in advance, so that its lack is an error and not an abort.
+// - `meter.rs`: The budget of a substep: work, which is counted and the same on every machine; a deadline; and a flag with which the host cancels.
+// - `platform.rs`: Platform features: clock, threads, process ids.
+// - `workers.rs`: Runs work on many strands: on the calling thread, in a private pool, or by the host's task system.
 // - `analysis/`: Analysis of strands, on top of the solver: settings by error, elements by need, friction from recordings, combing force, equilibria that buckle.
 // - `capi/`: The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 // - `chain/`: The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
 // - `contact/`: Contact and constraints: bodies and hair against hair.
-// - `energy/`: The terms of the incremental potential, one file a term.
+// - `energy/`: The terms of the incremental potential, one file per term.
 // - `facade/`: What Rust programs see: the public names, gathered from the modules that define them.
-// - `files/`: Files: grooms in and out, motions in, caches in and out.
+// - `files/`: Files: grooms, motions and caches, read and written.
 // - `groom/`: From measured and modelled hair to strands.
 // - `haptics/`: Force feedback: a tool in a hand, through a haptic device, in simulated hair.
-// - `math/`: Numbers: lanes, entire functions, small vectors and matrices, quadrature, rigid poses and their motion.
-// - `rod/`: One strand at rest in itself: material, freedoms, kinematics.
+// - `math/`: Numbers: lanes, entire functions, small vectors and matrices, quadrature, splines, rigid poses and their motion.
+// - `rod/`: One strand by itself: material, freedoms, kinematics.
 // - `solver/`: The scene: strands, their roots, the step, and everything a host reads back.
 // - `step/`: Time integration of one strand.
-// - `styling/`: Styling by hand: the bodies of tools from a few numbers, and combs whose teeth hold the strands that they meet until these are combed.
+// - `styling/`: Styling by hand: bodies of tools, and combs whose teeth hold the strands that they meet until these are combed.
 
 mod analysis;
 mod capi;

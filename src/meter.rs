@@ -1,11 +1,11 @@
-//! What a substep may cost: work, which is counted and the same on every machine; a moment when it is to be over; and a flag by which the host
-//! calls it off.
+//! The budget of a substep: work, which is counted and the same on every machine; a deadline; and a flag with which the host
+//! cancels.
 
 use std::sync::atomic::{AtomicU8, AtomicU32, AtomicU64, Ordering};
 
 use crate::platform::Instant;
 
-/// What the steps of a call may cost. The default has no limits but the one that every step has, see [`StepLimits::work`].
+/// Limits on the cost of a call's steps. The default limits nothing but the work of each step: see [`StepLimits::work`].
 ///
 /// ```
 /// use superhelix::{Solver, SolverOptions, StepLimits, Stopped};
@@ -17,52 +17,52 @@ use crate::platform::Instant;
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLimits<'a> {
-    /// Most work on strands in contact or held by constraints, in each substep, in units that each take about a microsecond of one core of 2026. What is
-    /// spent is counted, not measured: the result is the same to the bit on every machine and for any number of threads. None: as much as
-    /// keeps a host going whatever happens, [`usual_work`].
+    /// The most work on strands in contact or with constraints in each substep, in units of about a microsecond of one core of
+    /// 2026. Work is counted, not measured: the result is the same to the bit on every machine and for any number of threads.
+    /// `None`: [`usual_work`], which keeps a host responsive whatever happens.
     pub work: Option<u64>,
-    /// Seconds that the call may take. What is done by then depends on the clock, and so do the result's bits. None: any.
+    /// Seconds that the call may take. What is done by then depends on the clock, and so do the result's bits. `None`: no limit.
     pub seconds: Option<f64>,
-    /// Set to anything but 0 by another thread, it calls the step off. None: nobody does.
+    /// Another thread cancels the step by setting it to anything but 0. `None`: no such flag.
     pub cancel: Option<&'a AtomicU32>,
 }
 
-/// Why a step was ended before all strands were at their end.
+/// Why a step ended before all strands converged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 #[repr(u8)]
 pub enum Stopped {
-    /// It was not.
+    /// It did not.
     #[default]
     No = 0,
-    /// Its work was spent.
+    /// It used up its work.
     Work = 1,
-    /// Its time was up.
+    /// Its time ran out.
     Time = 2,
-    /// It was called off.
+    /// The host cancelled it.
     Cancelled = 3,
 }
 
-/// Units of work for so many elements and for fewer, and for every further one, see [`usual_work`].
-const LEAST_WORK: f64 = 136_800.0;
-const FEWEST_ELEMENTS: usize = 2280;
+/// Units of work for this many elements or fewer, and for every further one: see [`usual_work`].
+const MIN_WORK: f64 = 136_800.0;
+const MIN_ELEMENTS: usize = 2280;
 const WORK_PER_ELEMENT: f64 = 200.0;
 
-/// The work that a substep may take where nothing else is said, in units: a quarter of a second of one core for 228 strands of ten elements and for less.
-/// Every further element adds what a thousand strands on each other and on a head need that is shaken as hard as a head can be.
+/// The default work of a substep, in units: a quarter of a second of one core for 228 strands of ten elements and for less. Every
+/// further element adds enough for a thousand strands on each other and on a head that is shaken as hard as a head can be.
 pub fn usual_work(elements: usize) -> u64 {
-    (LEAST_WORK + WORK_PER_ELEMENT * elements.saturating_sub(FEWEST_ELEMENTS) as f64) as u64
+    (MIN_WORK + WORK_PER_ELEMENT * elements.saturating_sub(MIN_ELEMENTS) as f64) as u64
 }
 
-/// Nanoseconds of work, about, in a unit.
+/// Nanoseconds of work in a unit, approximately.
 const UNIT: u64 = 1000;
 
-/// How often loops over touches and the like look at the meter: it takes as long as some of them.
+/// How often loops over contacts and the like check the meter: a check takes as long as some of their items.
 const LOOK: usize = 64;
 
 /// The meter of a substep.
 #[derive(Debug)]
 pub(crate) struct Meter<'a> {
-    /// About nanoseconds of one core.
+    /// Approximate nanoseconds of one core.
     spent: AtomicU64,
     most: u64,
     deadline: Option<Instant>,
@@ -72,36 +72,36 @@ pub(crate) struct Meter<'a> {
 }
 
 impl<'a> Meter<'a> {
-    /// One for `work` units, to be over by `deadline`.
+    /// A meter for `work` units, with a deadline.
     pub fn new(work: u64, deadline: Option<Instant>, cancel: Option<&'a AtomicU32>) -> Self {
         let most = work.saturating_mul(UNIT);
         Self { spent: AtomicU64::new(0), most, deadline, cancel, halted: AtomicU8::new(Stopped::No as u8) }
     }
 
-    /// One without limits.
+    /// A meter without limits.
     pub fn unlimited() -> Self {
         Self::new(u64::MAX, None, None)
     }
 
-    /// Whether it is to be over at some moment.
+    /// Whether there is a deadline.
     pub fn has_deadline(&self) -> bool {
         self.deadline.is_some()
     }
 
-    /// Counts work, in nanoseconds or so. In whatever order threads do, the sum is the same once all have.
+    /// Counts work, in approximate nanoseconds. The sum does not depend on the order of threads.
     #[inline]
     pub fn spend(&self, work: u64) {
         self.spent.fetch_add(work, Ordering::Relaxed);
     }
 
-    /// Does something that is not counted: it only looks at what was done. While no other thread works.
+    /// Does something without counting it, for checks of finished work. Call it while no other thread works.
     pub fn uncounted(&self, look: impl FnOnce()) {
         let spent = self.spent.load(Ordering::Relaxed);
         look();
         self.spent.store(spent, Ordering::Relaxed);
     }
 
-    /// What is left, in the same measure. To be asked while no thread works, so that it is the same for any number of them.
+    /// The remaining work, in the same measure. Call it while no thread works, so that it is the same for any number of threads.
     pub fn left(&self) -> u64 {
         self.most.saturating_sub(self.spent.load(Ordering::Relaxed))
     }
@@ -111,7 +111,7 @@ impl<'a> Meter<'a> {
         self.spent.load(Ordering::Relaxed) / UNIT
     }
 
-    /// Whether the time is up or the step was called off: what is being done is to be left.
+    /// Whether the time is up or the host has cancelled: the current work must end.
     #[inline]
     pub fn is_halted(&self) -> bool {
         if self.halted.load(Ordering::Relaxed) != Stopped::No as u8 {
@@ -128,16 +128,16 @@ impl<'a> Meter<'a> {
         true
     }
 
-    /// The same in a loop over many small things, at one in [`LOOK`] of them.
+    /// The same for a loop over many small items: checks at one in [`LOOK`] of them.
     #[inline]
     pub fn is_halted_at(&self, index: usize) -> bool {
         index.is_multiple_of(LOOK) && self.is_halted()
     }
 
-    /// Why no more is to be done, if so. To be asked while no thread works.
+    /// Why work must end, if it must. Call it while no thread works.
     pub fn stopped(&self) -> Stopped {
         if self.is_halted() {
-            // A flag that is set while time is up counts as well.
+            // A flag that is set after the time is up counts as well.
             let cancelled = self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed) != 0);
             return if cancelled { Stopped::Cancelled } else { Stopped::Time };
         }
@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_meter_tells_what_ended_it() {
+    fn a_meter_reports_why_it_ended() {
         let flag = AtomicU32::new(0);
         let meter = Meter::new(2, None, Some(&flag));
         assert_eq!((meter.stopped(), meter.left()), (Stopped::No, 2000));

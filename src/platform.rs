@@ -1,5 +1,5 @@
-//! What the system beneath has: a clock, threads, numbers of processes. Every desktop has all three; `wasm32-unknown-unknown`, a module in a
-//! browser or in node without imports, has none.
+//! Platform features: clock, threads, process ids. Every desktop has all three; `wasm32-unknown-unknown`, a module in a browser
+//! or in node without imports, has none.
 
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 pub(crate) use std::time::Instant;
@@ -7,23 +7,23 @@ pub(crate) use std::time::Instant;
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 pub(crate) use stopped_clock::Instant;
 
-/// Whether time can be measured. Without a clock durations are reported as 0 and limits of time are refused.
+/// Whether there is a clock. Without one durations are reported as 0 and time limits are refused.
 pub(crate) const HAS_CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
 
-/// Whether threads can be started.
+/// Whether there are threads.
 pub(crate) const HAS_THREADS: bool = !cfg!(all(target_family = "wasm", not(target_feature = "atomics")));
 
-/// The number of this process; 0 where there are no processes.
+/// The id of this process; 0 where there are no processes.
 pub(crate) fn process_id() -> u32 {
     if cfg!(all(target_family = "wasm", target_os = "unknown")) { 0 } else { std::process::id() }
 }
 
-/// In place of `std::time::Instant`, which panics where there is no clock.
+/// Replaces `std::time::Instant`, which panics where there is no clock.
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 mod stopped_clock {
     use std::time::Duration;
 
-    /// The one moment that there is, and what was added to it.
+    /// The only moment, plus whatever was added to it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
     pub(crate) struct Instant(Duration);
 

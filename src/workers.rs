@@ -1,9 +1,10 @@
-//! Running work on many strands: on the calling thread, in a private pool, or by the host's task system. Pieces of work do not see each
-//! other, so that the result does not depend on who ran which.
+//! Runs work on many strands: on the calling thread, in a private pool, or by the host's task system.
+//!
+//! Pieces of work do not depend on each other, so the result does not depend on which thread runs which.
 //!
 //! Files:
 //!
-//! - `team.rs`: Threads that stay together through many short rounds of work: what handing it out anew would cost is more than what they do in one.
+//! - `team.rs`: Threads that stay together through many short rounds, each shorter than the cost of handing out work.
 
 mod team;
 
@@ -14,8 +15,8 @@ pub(crate) use self::team::Team;
 use crate::error::{Error, Result};
 use crate::platform::{HAS_THREADS, process_id};
 
-/// A host's own task system: `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover
-/// `[0, count)` exactly once, on any threads, and return when all are done.
+/// A host's task system. `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover `[0,
+/// count)` exactly once, on any threads, and return when all are done.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -43,7 +44,7 @@ pub trait ParallelFor: Send + Sync {
     fn run(&self, count: u32, min_range: u32, task: &(dyn Fn(u32, u32, u32) + Sync));
 }
 
-/// Who runs the strands of a step.
+/// Which threads run the strands of a step.
 ///
 /// ```
 /// use superhelix::{Solver, SolverOptions, Workers};
@@ -58,7 +59,8 @@ pub enum Workers {
     /// The calling thread.
     #[default]
     Serial,
-    /// That many threads (2 to 256): the calling one and a private pool of the others, made with the solver and joined when it is dropped.
+    /// This many threads (2 to 256): the calling one and a private pool of the others, created with the solver and joined when it
+    /// is dropped.
     Pool(usize),
     /// The host's task system.
     Host(Arc<dyn ParallelFor>),
@@ -75,7 +77,7 @@ impl std::fmt::Debug for Workers {
 }
 
 impl Workers {
-    /// Checks the number of threads; `argument` is the name put before the field in the message.
+    /// Checks the number of threads; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a pool of fewer than 2 or more than 256.
@@ -89,17 +91,18 @@ impl Workers {
     }
 }
 
-/// Items a task takes at a time where nothing else is said: enough to be worth handing out, few enough to share evenly.
+/// Default number of items per task: enough to be worth a task, few enough for an even load.
 const CHUNK: usize = 8;
-/// Tasks a thread, at least: so many that the last to end is not far behind the first.
+/// Least number of tasks per thread: enough for the last thread to finish soon after the first.
 const TASKS_PER_THREAD: usize = 4;
-/// Most shares that items are parted into; of more threads some begin with the same one.
-const MOST_SHARES: usize = 32;
+/// The most groups that items are divided into; with more threads some start with the same group.
+const MAX_GROUPS: usize = 32;
 
-/// Who runs, and the scratch memory of those who do.
+/// The threads, and their scratch memory.
 pub(crate) struct Crew<S> {
     runner: Runner,
-    /// A thread of the pool finds its own again; all others share the first's. Boxed: they are lent out for every few strands, and are large.
+    /// Each thread of the pool gets its own back; all others share the first one's. Boxed: scratch memory is large, and is lent
+    /// out for every few strands.
     workspaces: Vec<Mutex<Vec<Box<S>>>>,
 }
 
@@ -109,17 +112,17 @@ enum Runner {
     Host(std::sync::Arc<dyn ParallelFor>),
 }
 
-/// A private rayon pool of all threads but the calling one. They are joined when it goes: rayon's own drop only tells them to stop, and a
-/// library that is unloaded with a thread still on its way out takes the process down.
+/// A private rayon pool of all threads but the calling one. Dropping it joins the threads: rayon's own drop only signals them,
+/// and unloading a library while a thread still exits crashes the process.
 struct Pool {
     pool: Option<rayon::ThreadPool>,
     threads: Vec<JoinHandle<()>>,
-    /// The process that has the threads. In a child made by `fork` they are not there, and waiting for them would never end.
+    /// The process that owns the threads. In a child made by `fork` they do not exist, and joining them would never return.
     process: u32,
 }
 
 impl Pool {
-    /// With `count` threads of its own.
+    /// A pool with `count` threads.
     fn new(count: usize) -> Result<Self> {
         if !HAS_THREADS {
             return Err(Error::Unsupported {
@@ -159,14 +162,14 @@ impl Drop for Pool {
         }
         drop(self.pool.take());
         for thread in self.threads.drain(..) {
-            // A worker that panicked has already reported it through the step that it was running.
+            // A worker that panicked has already reported it through its step.
             let _ = thread.join();
         }
     }
 }
 
 impl<S: Default + Send> Crew<S> {
-    /// The calling thread alone, with scratch memory made for each loop.
+    /// The calling thread alone, with scratch memory created for each loop.
     pub fn serial() -> Self {
         Self { runner: Runner::Serial, workspaces: Vec::new() }
     }
@@ -189,8 +192,8 @@ impl<S: Default + Send> Crew<S> {
         });
     }
 
-    /// Calls `work` on slices that make up `items`, each call with scratch memory of its own. Slices are multiples of `least` long (the
-    /// last may be shorter), and at most `most`.
+    /// Calls `work` on slices that make up `items`, each call with scratch memory of its own. Slices are multiples of `least`
+    /// long (the last may be shorter), and at most `most`.
     pub fn for_each_task<T: Send>(&self, items: &mut [T], least: usize, most: usize, work: impl Fn(&mut [T], &mut S) + Sync) {
         let run = |chunk: &mut [T]| self.with_scratch(0, |scratch| work(chunk, scratch));
         let threads = self.threads();
@@ -198,9 +201,9 @@ impl<S: Default + Send> Crew<S> {
         let chunk = (items.len() / tasks / least * least).clamp(least, most);
         match &self.runner {
             Runner::Pool(Pool { pool: Some(pool), .. }) if threads > 1 && items.len() > chunk => {
-                let shares = Shares::new(items, chunk, threads);
+                let groups = Groups::new(items, chunk, threads);
                 let do_share = |thread| {
-                    self.with_scratch(thread, |scratch| shares.work(thread, &mut |chunk: &mut [T]| work(chunk, scratch)));
+                    self.with_scratch(thread, |scratch| groups.work(thread, &mut |chunk: &mut [T]| work(chunk, scratch)));
                 };
                 pool.in_place_scope(|scope| {
                     for thread in 1..threads {
@@ -224,7 +227,7 @@ impl<S: Default + Send> Crew<S> {
                         take(index as usize);
                     }
                 });
-                // A host that left a range out must not leave strands behind in time.
+                // Strands stay in step even if the host left out a range.
                 for index in 0..chunks.len() {
                     take(index);
                 }
@@ -232,7 +235,7 @@ impl<S: Default + Send> Crew<S> {
         }
     }
 
-    /// How many there are. A host's threads are not known: its tasks are as small as may be.
+    /// The number of threads. A host's threads are unknown, so its tasks are as small as possible.
     fn threads(&self) -> usize {
         match &self.runner {
             Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if crew.is_here() => pool.current_num_threads() + 1,
@@ -241,7 +244,7 @@ impl<S: Default + Send> Crew<S> {
         }
     }
 
-    /// Calls `lead` once, on some thread, whose [`Team`] does `work`; `most` threads at most are of use.
+    /// Calls `lead` once, on some thread, whose [`Team`] does `work`; at most `most` threads are useful.
     pub fn together(&self, most: usize, work: &(dyn Fn(usize) + Sync), lead: impl FnOnce(&Team) + Send) {
         let threads = self.threads().min(most);
         let team = &Team::new(work, threads <= 1);
@@ -253,7 +256,8 @@ impl<S: Default + Send> Crew<S> {
                 team.lead(lead);
             }),
             Runner::Host(host) if threads > 1 => {
-                // Which of its threads come, and when, is the host's: the first one leads, so that nobody waits for who never comes.
+                // The host decides which of its threads come, and when. The first one leads, so that nobody waits for one that
+                // never comes.
                 let lead = Mutex::new(Some(lead));
                 let take = || lead.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
                 let join = |_| take().map_or_else(|| team.help(), |lead| team.lead(lead));
@@ -266,7 +270,7 @@ impl<S: Default + Send> Crew<S> {
         }
     }
 
-    /// As [`Crew::for_each`], but never on the host's threads: the calling thread does what the host's would.
+    /// As [`Crew::for_each`], but never on the host's threads: the calling thread replaces them.
     pub fn for_each_on_own<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut S) + Sync) {
         if let Runner::Host(_) = self.runner {
             self.with_scratch(0, |scratch| items.iter_mut().for_each(|item| work(item, scratch)));
@@ -275,7 +279,7 @@ impl<S: Default + Send> Crew<S> {
         }
     }
 
-    /// Calls `work` once, here, with scratch memory.
+    /// Calls `work` once on the calling thread, with scratch memory.
     pub fn with_own_scratch(&self, work: impl FnOnce(&mut S)) {
         self.with_scratch(0, work);
     }
@@ -289,34 +293,34 @@ impl<S: Default + Send> Crew<S> {
     }
 }
 
-/// Items in chunks, and these in shares, one a thread. Loops over the same strands give a strand to the same thread each time, whose caches have it:
-/// where threads took what came first, two of them were a third faster than one in contact, not twice as fast.
-struct Shares<'a, T> {
-    shares: [Mutex<std::slice::ChunksMut<'a, T>>; MOST_SHARES],
+/// Items in chunks, and chunks in groups, one group per thread. Loops over the same strands give a strand to the same thread each
+/// time, whose caches hold it: a shared queue loses half of what a second thread gains in contact.
+struct Groups<'a, T> {
+    groups: [Mutex<std::slice::ChunksMut<'a, T>>; MAX_GROUPS],
     count: usize,
 }
 
-impl<'a, T: Send> Shares<'a, T> {
+impl<'a, T: Send> Groups<'a, T> {
     fn new(items: &'a mut [T], chunk: usize, threads: usize) -> Self {
-        let count = threads.min(MOST_SHARES);
+        let count = threads.min(MAX_GROUPS);
         let (all, mut rest, mut taken) = (items.len().div_ceil(chunk), items, 0);
-        let shares = std::array::from_fn(|k| {
+        let groups = std::array::from_fn(|k| {
             let to = all * (k + 1).min(count) / count;
             let length = ((to - taken) * chunk).min(rest.len());
             let (own, others) = std::mem::take(&mut rest).split_at_mut(length);
             (rest, taken) = (others, to);
             Mutex::new(own.chunks_mut(chunk))
         });
-        Self { shares, count }
+        Self { groups, count }
     }
 
-    /// Does a thread's share from its front, then what is left of the others' from their backs.
+    /// Works through a thread's own group from its front, then through the rest of the others' groups from their backs.
     fn work(&self, thread: usize, run: &mut impl FnMut(&mut [T])) {
         for k in 0..self.count {
-            let share = &self.shares[(thread + k) % self.count];
+            let group = &self.groups[(thread + k) % self.count];
             let next = || {
-                let mut share = share.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                if k == 0 { share.next() } else { share.next_back() }
+                let mut group = group.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                if k == 0 { group.next() } else { group.next_back() }
             };
             while let Some(chunk) = next() {
                 run(chunk);
@@ -349,15 +353,15 @@ mod tests {
     }
 
     #[test]
-    fn a_thread_begins_with_its_own_share_and_ends_with_what_others_left() {
+    fn a_thread_starts_with_its_own_group_and_ends_with_the_rest_of_others() {
         let mut items: Vec<usize> = (0..100).collect();
-        let shares = Shares::new(&mut items, 8, 3);
+        let groups = Groups::new(&mut items, 8, 3);
         let mut order = Vec::new();
-        shares.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
+        groups.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
         assert_eq!(order, [32, 40, 48, 56, 96, 88, 80, 72, 64, 24, 16, 8, 0]);
     }
 
-    /// A host that does its tasks in one way or another.
+    /// A host that runs its tasks in some way.
     struct Host<F>(F);
 
     impl<F: Fn(u32, &(dyn Fn(u32, u32, u32) + Sync)) + Send + Sync> ParallelFor for Host<F> {
@@ -366,7 +370,7 @@ mod tests {
         }
     }
 
-    fn crews() -> Vec<Workers> {
+    fn all_workers() -> Vec<Workers> {
         vec![
             Workers::Serial,
             Workers::Pool(2),
@@ -378,7 +382,7 @@ mod tests {
             Workers::Host(Arc::new(Host(|count: u32, task: &(dyn Fn(u32, u32, u32) + Sync)| {
                 std::thread::scope(|scope| (0..count).for_each(|k| drop(scope.spawn(move || task(k, k + 1, k)))));
             }))),
-            // One that forgets.
+            // A host that forgets to run tasks.
             Workers::Host(Arc::new(Host(|_: u32, _: &(dyn Fn(u32, u32, u32) + Sync)| {}))),
         ]
     }
@@ -386,9 +390,9 @@ mod tests {
     #[test]
     fn a_team_goes_through_rounds_together() {
         const PIECES: usize = 4;
-        for (k, workers) in crews().iter().enumerate() {
+        for (k, workers) in all_workers().iter().enumerate() {
             let crew = Crew::<()>::new(workers).unwrap();
-            // Each piece needs what all pieces of the round before came to: none may begin before those are done.
+            // Each piece needs the results of all pieces of the round before: none may start before those are done.
             let next = |values: &[u64; PIECES], piece: usize| {
                 values.iter().fold(piece as u64, |all, value| all.rotate_left(9).wrapping_add(*value).wrapping_mul(5))
             };
@@ -417,7 +421,7 @@ mod tests {
 
     #[test]
     fn a_team_in_which_one_panics_ends_in_that_panic() {
-        for (k, workers) in crews()[..3].iter().enumerate() {
+        for (k, workers) in all_workers()[..3].iter().enumerate() {
             let crew = Crew::<()>::new(workers).unwrap();
             for piece in 0..8 {
                 let work = |own: usize| assert_ne!(own, piece);

@@ -26,10 +26,10 @@ fn ball() -> BodyDef {
     BodyDef::new(Arc::new(Shape::new_sphere(0.05).unwrap()))
 }
 
-/// What is off in a scene, and what it may cost: a share of a step's instructions, and allocations a step.
+/// What is off in a scene, and its permitted cost: a fraction of a step's instructions, and allocations per step.
 type Case = (&'static str, fn(&mut Solver, &[StrandId]), f64, u64);
 
-/// The first is the scene that contact is unknown in; the second shows that the count would tell.
+/// The first is the scene without contact; the second shows that the count would notice.
 const CASES: [Case; 7] = [
     ("unknown", |_, _| {}, 0.0, 0),
     (
@@ -118,7 +118,7 @@ fn scene(arrange: fn(&mut Solver, &[StrandId])) -> Solver {
     solver
 }
 
-/// What callgrind counts: it is told this name.
+/// The function that callgrind counts, by this name.
 #[inline(never)]
 #[unsafe(no_mangle)]
 extern "C" fn contact_off_counted_steps(solver: &mut Solver) {
@@ -172,7 +172,7 @@ fn contact_that_is_off_costs_nothing() {
             assert!(counted > 0.5, "{name}: the count does not tell");
             continue;
         }
-        // What is not deterministic: nothing but the clock's reading, twice a step.
+        // The only nondeterminism: two clock readings per step.
         assert!(counted.abs() <= share + 1e-4, "{name}: {counted:+.2e}");
         assert!(allocated <= allocations * u64::from(STEPS), "{name}: {allocated}");
         if share == 0.0 && number != 3 && number != 4 {

@@ -1,4 +1,4 @@
-//! Bodies thrown through hair, at random: nothing turns non-finite, nothing stays inside a body, no energy out of nothing.
+//! Bodies thrown through hair, at random: nothing turns non-finite, nothing stays inside a body, no energy appears.
 //!
 //! Most scenes have a few strands; one in [`EVERY`] has wisps of 25 to 60 that hang together, an island large enough to be solved roughly first and
 //! to have strands that rest.
@@ -18,7 +18,7 @@ use superhelix::{
 /// Steps with bodies, and then without them, of a scene.
 const THROWN: u32 = 60;
 const CALM: u32 = 40;
-/// One scene in so many has many strands, and so many steps with bodies and without.
+/// One scene in this many has many strands; and the numbers of steps with bodies and without.
 const EVERY: u64 = 10;
 const THROWN_THROUGH_MANY: u32 = 36;
 const CALM_OF_MANY: u32 = 24;
@@ -200,15 +200,15 @@ struct Tally {
     touched: u64,
     unconverged: u64,
     rolled_back: u64,
-    /// The longest that a strand was rolled back, left out or on its way back on end, once it had been rolled back, s.
+    /// The longest time without a break for which a strand was rolled back, left out or returning, once it had been rolled back, s.
     lost_for: f64,
     deepest: f64,
     deep_steps: u64,
-    /// Steps deep in bodies or hair whose report tells of less than half of that depth.
+    /// Steps deep in bodies or hair whose report has less than half of that depth.
     untold: u64,
     /// How often a strand stayed inside a body.
     stayed: u64,
-    /// Scenes whose energy rose once the bodies were gone.
+    /// Scenes whose energy rose after the bodies were removed.
     rose: u64,
     /// Steps after which a touch drew.
     drawing: u64,
@@ -218,7 +218,7 @@ struct Tally {
 
 impl Scene {
     /// How deep the deepest sample of any strand is inside a body now (solid shapes). A strand whose follicle a body has gone over cannot
-    /// get out of it, and is not looked at.
+    /// get out of it, and is not checked.
     fn depth(&self) -> f64 {
         let mut deepest = 0.0_f64;
         for (id, ..) in &self.bodies {
@@ -316,7 +316,7 @@ impl Scene {
                 }
             }
         }
-        // Without bodies what is left must come down: damping takes, nothing gives. Strands that lie in each other may give back what is stored
+        // Without bodies the energy must fall: damping takes, nothing gives. Strands that overlap may release what is stored
         // between them.
         let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.0).collect();
         self.solver.remove_bodies(&ids).unwrap();
@@ -326,7 +326,7 @@ impl Scene {
             if std::env::var_os("CONTACT_SOAK_PRINT").is_some() {
                 println!("{name} without bodies: {report:?}");
             }
-            // What the springs hold of touches with each other (k d²/2, or its integral with the soft beginning).
+            // The energy stored in the springs of contacts with each other (k d²/2, or its integral with the soft beginning).
             let ContactOptions { stiffness, regularisation_depth: soft, .. } = solver.options().contact;
             let spring = |contact: &Contact| {
                 let depth = (-contact.gap).max(0.0);
@@ -420,7 +420,7 @@ fn bodies_thrown_through_hair() {
     }
     // Not never yet: an island that cannot be solved gives way, and what is then inside a fast body may stay there until it has passed.
     assert!(few.stayed * 20_000 <= few.steps && few.deep_steps * 1000 <= few.steps, "{few:?}");
-    // Whatever is deep is told.
+    // Every deep overlap is reported.
     assert!(few.untold == 0 && many.untold == 0, "{few:?} {many:?}");
     assert!(few.rolled_back * 500 <= few.steps && few.unconverged * 50 <= few.steps, "{few:?}");
     // (In a tangle a strand that has come back may be lost again at once.)

@@ -1,4 +1,4 @@
-//! Mutilated files: whatever the bytes, a reader answers with a sound result or an error, and asks for no more memory than a few
+//! Mutilated files: whatever the bytes, a reader returns a sound result or an error, and allocates no more memory than a few
 //! times the file's size.
 
 use std::sync::OnceLock;
@@ -18,7 +18,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 /// One test, because memory is counted for the whole process: tests beside it would be counted in.
 #[test]
 fn readers_survive_anything_and_ask_for_little() {
-    whole_files_are_read_within_the_allowance();
+    whole_files_are_read_within_the_memory_limit();
     no_number_in_a_head_makes_a_reader_ask_for_much();
     small_prims_take_little();
     mutilated_files_are_survived();
@@ -285,7 +285,7 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
     (curves.map(|curves| curves.point_count()), memory)
 }
 
-/// What a file of this many bytes may take, beside some for the text of an error. A point takes 12 bytes, as little as two of an OBJ
+/// The permitted memory for a file of this many bytes, beside some for the text of an error. A point takes 12 bytes, as little as two of an OBJ
 /// file name one, and Vec grows by doubling; a sample of a motion with its velocities takes 168. A control point of a USD file takes eight
 /// bytes at least, is kept and becomes four points, which carry all else that curves have.
 fn allowance(name: &str, bytes: usize) -> usize {
@@ -297,7 +297,7 @@ fn allowance(name: &str, bytes: usize) -> usize {
     times * bytes + 8192
 }
 
-fn whole_files_are_read_within_the_allowance() {
+fn whole_files_are_read_within_the_memory_limit() {
     for (name, bytes) in seeds() {
         let (count, memory) = read(name, bytes);
         assert!(count.is_some(), "{name}: {:?}", Curves::read_from_bytes(name, bytes));
@@ -447,7 +447,7 @@ fn mutilated_files_are_survived() {
             Ok(())
         })
         .unwrap();
-    // Some accidents do no harm to the form (a changed digit): both ways out were taken.
+    // Some mutations keep the file valid (a changed digit): both outcomes occurred.
     let whole = WHOLE.load(Ordering::Relaxed);
     assert!((1000..19_000).contains(&whole), "{whole} of 20000 were read");
 }

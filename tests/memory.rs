@@ -1,4 +1,4 @@
-//! What a solver says of its memory against what it asked the allocator for, and how much a strand takes.
+//! A solver's reported memory against its requests to the allocator, and the memory of a strand.
 
 mod held_bytes;
 
@@ -28,7 +28,7 @@ fn strands(count: usize, elements: impl Fn(usize) -> usize) -> Vec<StrandDef> {
         .collect()
 }
 
-/// What is held, what the solver tells: both without what there is for no strand and for the threads, which a twin of half as many has too.
+/// The bytes in use, and the bytes reported: both minus those of a solver with half the strands, which cancels fixed costs and threads.
 fn compare(what: &str, made: impl Fn(usize) -> Solver) -> f64 {
     let of = |count: usize| {
         let before = held_bytes();
@@ -57,7 +57,7 @@ fn stepped(count: usize, integrator: Integrator, elements: impl Fn(usize) -> usi
 
 // One test: the counter is the process's.
 #[test]
-fn memory_is_told_as_it_is() {
+fn memory_is_reported_accurately() {
     // The quadrature rules are the process's: the first solver makes them.
     drop(Solver::new(SolverOptions::default()).unwrap());
     for elements in [5, 10, 50] {

@@ -1,4 +1,4 @@
-//! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not in parts, with no instruction set and in
+//! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not when subdivided, with no instruction set and in
 //! no precision. (It grows again when a strand is bent further than ever before, and needs more quadrature points.)
 
 mod allocations;

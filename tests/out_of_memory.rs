@@ -1,5 +1,5 @@
-//! Where memory runs out: calls of the C API that take it by the host's numbers say so, change nothing and leak nothing. Two allocators: one that
-//! has so many bytes and no more, as `ulimit -v` does, and one that refuses the n-th large block.
+//! Where memory runs out: calls of the C API whose memory grows with the host's numbers report it, change nothing and leak nothing. Two allocators: one that
+//! has a fixed number of bytes, like `ulimit -v`, and one that refuses the n-th large block.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -21,7 +21,7 @@ use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_ini
 use superhelix::internals::capi::strands::{shx_solver_add_strands, shx_solver_strand_count, shx_solver_strand_lengths};
 use superhelix::internals::capi::types::*;
 
-/// What the contract names: smaller blocks cannot fail softly.
+/// The contract's limit: smaller blocks cannot fail softly.
 const LARGE: usize = 1 << 16;
 /// What there is beyond the budget for small things: names, texts of errors, a worker's scratch memory.
 const SLACK: usize = 1 << 20;
@@ -88,7 +88,7 @@ fn add(solver: *mut shx_solver, defs: &[shx_strand_def], ids: &mut [shx_strand_i
     unsafe { shx_solver_add_strands(solver, defs.as_ptr(), size_of::<shx_strand_def>(), defs.len(), ids.as_mut_ptr()) }
 }
 
-/// What a call must leave as it was.
+/// The state that a call must preserve.
 fn state(solver: *mut shx_solver) -> (u64, usize, usize) {
     let (mut hash, mut strands, mut bodies) = (0, 0, 0);
     // SAFETY: a living handle and room for numbers.

@@ -1,4 +1,4 @@
-//! What it takes to scrub: a snapshot of each of a hundred frames of a real groom on its bust, the bust's grid kept once.
+//! The memory for scrubbing: a snapshot of each of a hundred frames of a real groom on its bust, the bust's grid kept once.
 
 mod held_bytes;
 
@@ -13,7 +13,7 @@ use superhelix::shapes::{DistanceGrid, Sides};
 use superhelix::{BodyDef, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, UsualLimits};
 
 const FRAMES: usize = 100;
-/// What the header advises for hair of this kind.
+/// The header's advice for such hair.
 const ELEMENTS: usize = 5;
 /// Metres per unit of the groom and the bust.
 const SCALE: f64 = 0.01;
@@ -29,7 +29,7 @@ fn groom() -> Solver {
     let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
     let mesh = Shape::new_mesh(vertices, bust.triangles, Sides::Front { depth: 0.02 }).unwrap();
     let grid = DistanceGrid::bake(mesh.mesh().unwrap(), 3e-3, 0.02).unwrap();
-    // What is kept does not depend on how far the steps are iterated.
+    // Snapshots do not depend on the number of iterations.
     let limits = UsualLimits { work: Some(20_000), seconds: None };
     let options = SolverOptions { gravity: Vector3::new(0.0, -9.81, 0.0), limits, ..SolverOptions::default() };
     let mut solver = Solver::new(options).unwrap();
@@ -68,7 +68,7 @@ fn a_hundred_frames_of_a_groom_take_less_than_70_megabytes() {
         solver.set_body_frames(&bodies, &[turned(&Frame::default())], 1.0 / 30.0).unwrap();
         let held = held_bytes();
         solver.step(1.0 / 30.0, 1).unwrap();
-        // What the step itself needs is the solver's own, with or without snapshots.
+        // A step's own memory belongs to the solver, with or without snapshots.
         working += held_bytes() as isize - held as isize;
         images.push(solver.snapshot_with(SnapshotShapes::Referenced).unwrap());
         hashes.push(solver.state_hash());

@@ -1,5 +1,5 @@
-//! The dearest step: a head with hair on it jumps, turns and is thrown about at random, by every model; with a budget; and how long a step takes to end when it is
-//! cancelled from another thread.
+//! The worst steps: a head with hair jumps, turns and is thrown about at random, with every model, with and without a budget; and
+//! the delay after a cancellation from another thread.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -19,9 +19,9 @@ const RADIUS: f64 = 0.09;
 /// Steps before the head moves, and after it did.
 const CALM: usize = 40;
 const AFTER: usize = 60;
-/// What a step with a budget may take, s.
+/// The budget of a step, s.
 const BUDGET: f64 = 0.02;
-/// The models that are asked, and how many iterations they may take.
+/// The models, and their largest numbers of iterations.
 const MODELS: [(ContactModel, u32, &str); 4] = [
     (ContactModel::Penalty, 1, "penalty, 1 iteration"),
     (ContactModel::Penalty, 2, "penalty, 2 iterations"),
@@ -70,7 +70,7 @@ impl Head {
         Ok(self.solver.set_body_frames(&[self.ball], &[*pose], STEP)?)
     }
 
-    /// A step, and how long it took, ms, without the time in which the machine let other threads run.
+    /// A step and its time, ms, without the time in which the machine ran other threads.
     fn step(&mut self, limits: &StepLimits) -> Outcome<(f64, StepReport)> {
         let (from, waited) = (Instant::now(), seconds_waited());
         let report = self.solver.step_within(STEP, 1, limits)?;
@@ -78,7 +78,7 @@ impl Head {
     }
 }
 
-/// For how long this thread was ready and had no processor, s: Linux counts it. Elsewhere 0.
+/// The time for which this thread was ready without a processor, s, as counted by Linux. Elsewhere 0.
 fn seconds_waited() -> f64 {
     let read = || std::fs::read_to_string("/proc/thread-self/schedstat").ok()?.split(' ').nth(1)?.parse::<f64>().ok();
     1e-9 * read().unwrap_or(0.0)
@@ -89,7 +89,7 @@ fn away(x: f64, degrees: f64) -> Frame {
     Frame { origin: Vector3::x() * x, rotation }
 }
 
-/// The table of jumps, as CSV: the dearest step and what a second later is lost or deep; without a budget and with one.
+/// The table of jumps, as CSV: the worst step, and what has diverged or is deep a second later; without a budget and with one.
 pub fn table(random: usize) -> Outcome<String> {
     let mut csv = String::from("model,what,budget_ms,calm_ms,dearest_ms,p999_ms,left,lost_after,deepest_after_m\n");
     for (model, iterations, name) in MODELS {
@@ -120,10 +120,10 @@ pub fn table(random: usize) -> Outcome<String> {
     Ok(csv)
 }
 
-/// So many steps in which the head goes anywhere within some centimetres, or metres, and turns by anything, or rests.
+/// Random steps: the head goes anywhere within some centimetres, or metres, and turns by anything, or rests.
 fn at_random(model: ContactModel, iterations: u32, name: &str, limits: &StepLimits, steps: usize) -> Outcome<String> {
     let mut head = Head::new(model, iterations)?;
-    // Other moves: another CONTACT_SEED.
+    // CONTACT_SEED chooses other moves.
     let mut state: u64 = std::env::var("CONTACT_SEED").map_or(Ok(7), |seed| seed.parse())?;
     // Steele, Lea and Flood's splitmix64.
     let mut unit = || {
@@ -135,7 +135,7 @@ fn at_random(model: ContactModel, iterations: u32, name: &str, limits: &StepLimi
     let mut milliseconds = Vec::new();
     let (mut pose, mut left) = (Frame::default(), 0_u64);
     for _ in 0..steps {
-        // Most of the time it moves as heads do, or a little faster; now and then it jumps.
+        // Most of the time it moves like a head, or a little faster; now and then it jumps.
         let size = [0.0, 0.0, 0.003, 0.01, 0.03, 0.06, 0.1, 1.0][(8.0 * unit()) as usize % 8];
         let turn = [0.0, 0.0, 0.03, 0.1, 0.3, 0.6, 1.0, 3.0][(8.0 * unit()) as usize % 8];
         let way = Vector3::new(unit() - 0.5, unit() - 0.5, unit() - 0.5);
@@ -164,13 +164,13 @@ fn at_random(model: ContactModel, iterations: u32, name: &str, limits: &StepLimi
     ))
 }
 
-/// How long steps go on after another thread has cancelled them: median, 99th percentile and longest, ms.
+/// The duration of steps after another thread cancels them: median, 99th percentile and longest, ms.
 pub fn cancelled(times: usize) -> Outcome<[f64; 3]> {
     let mut late = Vec::new();
     let start = Instant::now();
     let mut head = Head::new(ContactModel::Coulomb, 50)?;
     for k in 0..times {
-        // A hard step, cancelled at some moment of it.
+        // A hard step, cancelled at a random moment.
         head.send(&away(0.04 * (k % 2) as f64, 0.0))?;
         let (flag, at) = (AtomicU32::new(0), AtomicU64::new(0));
         let limits = StepLimits { cancel: Some(&flag), ..StepLimits::default() };
@@ -184,7 +184,7 @@ pub fn cancelled(times: usize) -> Outcome<[f64; 3]> {
             let report = head.solver.step_within(STEP, 1, &limits)?;
             let (end, waited) = (start.elapsed().as_nanos() as u64, seconds_waited() - waited);
             let late = 1e-6 * end.saturating_sub(at.load(Ordering::SeqCst)) as f64;
-            // (What it waited in the whole step may have been before it was cancelled: such steps tell nothing.)
+            // (The waits of the whole step may have come before the cancellation: such steps are left out.)
             Ok((report.stopped as u8 == 3 && waited < 1e-4).then_some(late))
         })?;
         late.extend(ended);

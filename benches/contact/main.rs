@@ -1,6 +1,8 @@
-//! What contact costs: a thousand guides on Sintel's bust, shaken, hair against hair and bust, by each model; and what each model errs by
-//! for what it costs (`price.rs`); and what a touch costs as they grow in number (`scaling.rs`).
-//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--jumps-only [--random N]]`.
+//! The cost of contact: a thousand guides on Sintel's bust, shaken, hair against hair and bust, with each model. Also each
+//! model's error for its cost (`price.rs`), and the cost per contact as contacts grow in number (`scaling.rs`).
+//!
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--jumps-only
+//! [--random N]]`
 
 mod jumps;
 mod price;
@@ -22,19 +24,19 @@ use superhelix::{
 const ELEMENTS: usize = 10;
 const SCALE: f64 = 0.01;
 const STEP: f64 = 1.0 / 60.0;
-/// What a guide of a thousand stands for, a hundred hairs of 40 µm, has about this radius when they lie close, m.
+/// Approximate radius of a guide of a thousand, which represents a hundred hairs of 40 µm lying close together, m.
 const WISP: f64 = 5e-4;
-/// The first so many metres of a strand touch nothing: some roots lie in the bust.
+/// The length from the root without contact, m: some roots lie in the bust.
 const EXEMPT: f64 = 0.015;
 /// The bust's distance grid, m.
 const CELL: f64 = 3e-3;
 const BAND: f64 = 0.02;
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
-/// A step that leaves something deeper in something else than this is a deep one, m.
+/// A step that leaves an overlap deeper than this is a deep one, m.
 const DEEP: f64 = 1e-4;
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
-/// The models, how many iterations they may take, and their names in tables.
+/// The models, their largest numbers of iterations, and their names in tables.
 const MODELS: [(ContactModel, u32, f64, &str); 7] = [
     (ContactModel::Penalty, 1, 1e-4, "penalty, 1 iteration"),
     (ContactModel::Penalty, 2, 1e-4, "penalty, 2 iterations"),
@@ -47,7 +49,7 @@ const MODELS: [(ContactModel, u32, f64, &str); 7] = [
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// Sintel's hair as guides: 228 strands, and copies of them set a few millimetres aside, but for those that are drawn through the bust.
+/// Sintel's hair as guides: 228 strands, and copies of them a few millimetres aside, except those drawn through the bust.
 fn guides(head: &Shape, guides: usize) -> Outcome<Vec<StrandDef>> {
     let curves = Curves::read("tests/data/grooms/sintel_hair_001.tfx")?;
     let count = curves.strand_count();
@@ -78,7 +80,7 @@ fn guides(head: &Shape, guides: usize) -> Outcome<Vec<StrandDef>> {
     Ok(defs)
 }
 
-/// Whether a curve goes into the head further from its root than may be.
+/// Whether a curve enters the head beyond the exempt length from its root.
 fn is_in(head: &Shape, points: &[Vector3<f64>]) -> bool {
     let mut along = 0.0;
     points.windows(2).any(|pair| {
@@ -96,14 +98,15 @@ fn pose(seconds: f64) -> UnitQuaternion<f64> {
 struct Shaken {
     model: &'static str,
     milliseconds: Vec<f64>,
-    /// Of a mean step: searching, stepping strands, solving contact problems, s.
+    /// For a mean step: search, steps of strands, contact problems, s.
     phases: [f64; 3],
     touches: f64,
     iterations: f64,
     most_iterations: u32,
     sweeps: f64,
     penetration: f64,
-    /// The deepest that strands and bust are in each other after a step by [`Solver::overlaps`], which knows nothing of the step's touches, m.
+    /// The largest overlap of strands and bust after a step by [`Solver::overlaps`], which is independent of the step's contacts,
+    /// m.
     overlap: f64,
     deep_steps: u32,
     residual: f64,
@@ -151,7 +154,7 @@ fn shake(
             let (ms, units) = (1e3 * report.seconds, report.work);
             println!("{step}: {ms:.1} ms, {units} units, {} unconverged, {:?}", report.unconverged, report.contact);
         }
-        // The groom as it is drawn has hair in hair and in the bust: what that takes to come apart is not the shake's.
+        // The groom as drawn has hair in hair and in the bust: the cost of separating them is not the shake's.
         if step < CALM {
             continue;
         }
@@ -237,7 +240,7 @@ fn main() -> Outcome<()> {
         println!("{row}");
         writeln!(csv, "{row}")?;
     }
-    // Of one model alone the table of the head is asked for.
+    // For a single model only the table of the head is wanted.
     let (prices, rest) = if only.is_none() { (price::prices(quick)?, price::at_rest()?) } else { Default::default() };
     if let Some(folder) = folder {
         std::fs::write(folder.join("contact_shake.csv"), csv)?;

@@ -1,4 +1,4 @@
-//! What each model errs by and costs: strands that fall on a ball, rough and smooth, and strands at rest over a cylinder.
+//! Error and cost of each model: strands that fall on a ball, rough and smooth, and strands at rest over a cylinder.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use superhelix::{
 use crate::{ELEMENTS, MODELS, Outcome};
 
 const STRANDS: usize = 16;
-/// The reference's step is 1/960 s, and what it errs by in its laws is next to nothing.
+/// The reference's step is 1/960 s, and its error in the contact laws is negligible.
 const FINE: f64 = 960.0;
 
 /// Rough: a hair's friction. Smooth: none, so that only the normal part of each model acts.
@@ -47,7 +47,8 @@ fn tips(solver: &Solver, ids: &[StrandId]) -> Outcome<Vec<Vector3<f64>>> {
     Ok(tips)
 }
 
-/// Strands that fall on a ball and slide off it: their tips' way in a second, and what that took a strand and simulated second, s.
+/// Strands that fall on a ball and slide off it: the displacement of their tips in a second, and the processor time per strand
+/// and simulated second, s.
 fn fall(contact: ContactOptions, step: f64, rough: bool) -> Outcome<(Vec<Vector3<f64>>, f64)> {
     let mut solver = solver(contact)?;
     let mut defs = Vec::new();
@@ -55,7 +56,7 @@ fn fall(contact: ContactOptions, step: f64, rough: bool) -> Outcome<(Vec<Vector3
         let k = k as f64;
         let mut def = StrandDef::straight(0.2, ELEMENTS);
         def.natural = vec![[0.0, 2.0 + 0.5 * k, 0.0]; ELEMENTS];
-        // Straight to begin with, a centimetre above the ball: bent as they would be they were in it, and what throws them out is no contact.
+        // Initially straight, a centimetre above the ball: bent strands would start inside it, and be thrown out.
         def.initial = Some(vec![[0.0; 3]; ELEMENTS]);
         def.material.internal_friction = 1e-9;
         def.material.air_drag = 2e-5;
@@ -74,14 +75,14 @@ fn fall(contact: ContactOptions, step: f64, rough: bool) -> Outcome<(Vec<Vector3
     Ok((way, seconds / f64::from(frames) * 60.0 / STRANDS as f64))
 }
 
-/// What strands over a smooth cylinder come to at rest: their tips, and what each cylinder bears, N.
+/// The rest of strands over a smooth cylinder: their tips, and the load on each cylinder, N.
 struct Rest {
     tips: Vec<Vector3<f64>>,
     borne: Vec<Vector3<f64>>,
     deepest: f64,
 }
 
-/// Strands clamped level and laid over a smooth cylinder of their own, each somewhat higher and further off than the one before.
+/// Strands clamped level over a smooth cylinder of their own, each somewhat higher and farther away than the one before.
 fn rest(contact: ContactOptions) -> Outcome<Rest> {
     let mut solver = solver(contact)?;
     let mut defs = Vec::new();
@@ -115,7 +116,7 @@ fn root_mean_square(one: &[Vector3<f64>], other: &[Vector3<f64>]) -> f64 {
     (squares / one.len() as f64).sqrt()
 }
 
-/// The price list: `contact_price.csv`. `quick`: one step size, and a reference of no great precision.
+/// The price list: `contact_price.csv`. `quick`: one step size, and a less precise reference.
 pub fn prices(quick: bool) -> Outcome<String> {
     let mut csv = String::from("case,model,step_s,rms_error_m,ms_a_strand_second\n");
     let (fine, steps) = if quick { (240.0, &[60.0][..]) } else { (FINE, &[60.0, 120.0, 240.0][..]) };
@@ -135,7 +136,7 @@ pub fn prices(quick: bool) -> Outcome<String> {
     Ok(csv)
 }
 
-/// What the models come to at rest, where no step matters: `contact_rest.csv`.
+/// The models' results at rest, which no step size affects: `contact_rest.csv`.
 pub fn at_rest() -> Outcome<String> {
     let mut csv = String::from("model,tip_error_m,force_error,deepest_m\n");
     let truth = rest(reference())?;

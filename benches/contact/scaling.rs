@@ -1,5 +1,5 @@
-//! What contact costs a touch as touches grow in number: tufts that hang beside each other without meeting, so that there are more islands of a
-//! size; and one head with more and thinner guides, so that islands grow. Processor time of one thread.
+//! The cost per contact as contacts grow in number: tufts that hang beside each other without meeting, so that there are more
+//! islands of the same size; and one head with more and thinner guides, so that islands grow. Processor time of one thread.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -20,19 +20,19 @@ use superhelix::{
 
 use crate::{CALM, EXEMPT, GRAVITY, Outcome, STEP, WISP, guides, pose};
 
-/// The models, and how many iterations they may take.
+/// The models, and their largest numbers of iterations.
 const MODELS: [(ContactModel, u32, &str); 2] =
     [(ContactModel::Penalty, 4, "penalty, 4 iterations"), (ContactModel::Coulomb, 50, "coulomb")];
-/// Tufts of so many by so many strands, and how far apart they are, m: out of each other's reach.
+/// Side of a tuft in strands, and distance of tufts, m: out of each other's reach.
 const SIDE: usize = 4;
 const APART: f64 = 0.4;
 const TUFTS: [usize; 5] = [8, 16, 32, 64, 128];
 const GUIDES: [usize; 5] = [125, 250, 500, 1000, 2000];
-/// With the hard model a head has no more guides than this.
+/// With the hard model a head has at most this many guides.
 const MOST_HARD: usize = 500;
 const STEPS: usize = 30;
 
-/// A scene that is led about, and the radius of its wisps.
+/// A moving scene, and the radius of its wisps.
 struct Scene {
     case: &'static str,
     defs: Vec<StrandDef>,
@@ -48,7 +48,7 @@ fn tufts(count: usize) -> Scene {
     for tuft in 0..count {
         let middle = Vector3::new((tuft % row) as f64, 0.0, (tuft / row) as f64) * APART;
         for k in 0..SIDE * SIDE {
-            // Eight kinds of tufts, so that each number of them is of the same kinds.
+            // Eight types of tufts, so that every number of tufts has the same mix.
             let number = (k + 16 * (tuft % 8)) as f64;
             let part = |by: f64| 2.0 * (number * by).fract() - 1.0;
             let mut def = StrandDef::straight(0.15, 6);
@@ -63,7 +63,7 @@ fn tufts(count: usize) -> Scene {
     Scene { case: "tufts", defs, head: None, wisp_radius: WISP }
 }
 
-/// Strands as paths, from their states at a step's start and end.
+/// Strands as paths, from their states at the start and the end of a step.
 struct Poses(Vec<(Vector3<f64>, Kinematics<f64>)>);
 
 impl Poses {
@@ -84,13 +84,13 @@ impl Poses {
     }
 }
 
-/// Seconds of this thread's processor time: what else the machine does has the least part in them.
+/// Processor time of this thread, s: least affected by other programs.
 fn seconds() -> f64 {
     let now = clock_gettime(ClockId::ThreadCPUTime);
     now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
 }
 
-/// One search for touches between strands, all of them, on one thread, as a step begins with: how many it finds, and seconds.
+/// One full search for contacts between strands on one thread, as at the start of a step: how many it finds, and its time, s.
 fn search(pairs: &mut HairPairs, then: &Poses, now: &Poses) -> Outcome<(usize, f64)> {
     let path = |k| StrandPath { index: k as u32, start: then.curve(k), now: now.curve(k) };
     let paths: Vec<StrandPath> = (0..now.0.len()).map(path).collect();
@@ -181,7 +181,7 @@ pub fn table(head: &Arc<Shape>, quick: bool) -> Outcome<String> {
         add(&tufts(*count))?;
     }
     for count in &GUIDES[..rows] {
-        // As much hair, whoever stands for it.
+        // The same amount of hair for any number of guides.
         let wisp_radius = WISP * (1000.0 / *count as f64).sqrt();
         add(&Scene { case: "head", defs: guides(head, *count)?, head: Some(head.clone()), wisp_radius })?;
     }

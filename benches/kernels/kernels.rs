@@ -1,7 +1,7 @@
-//! The kernels one by one, and the step that they make, with criterion's statistics: to see what a change of one of them brings.
-//! Tables that compare are in `benches/performance`.
+//! The kernels one by one, and the step that they make, with criterion's statistics: for the effect of a change of one of them.
+//! Comparisons are in `benches/performance`.
 //!
-//! A package of its own, so that nothing else of the project has to compile criterion:
+//! A separate package, so that nothing else in the project has to compile criterion:
 //! `cargo bench --manifest-path benches/kernels/Cargo.toml -- [FILTER]`
 
 use std::hint::black_box;

@@ -1,5 +1,5 @@
-//! The engine beside its peers: takes one request a line from standard input, answers with one line each (JSON both). `benches/peers/run.py`
-//! asks; it asks the peers' programs the same (`wire.py` says what a request is). By hand:
+//! The engine beside its peers: takes one request per line from standard input, and answers each with one line (JSON both).
+//! `benches/peers/run.py` sends the requests, and sends the peers' programs the same ones (`wire.py` documents them). By hand:
 //!
 //! `echo '{...}' | cargo bench --profile demo --bench peers -- --serve`
 
@@ -11,9 +11,9 @@ use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
 use superhelix::{Integrator, Material, Solver, SolverOptions, StrandDef, StrandId};
 
-/// Points of a strand that are handed out to be judged.
+/// Points of a strand to return for comparison.
 const POINTS: usize = 65;
-/// Points between which its length is measured: chords between them are short by 4·10⁻⁵ of it on a coil of ten turns.
+/// Points for measuring its length: the chords between them are short by 4·10⁻⁵ of it on a coil of ten turns.
 const FINE_POINTS: usize = 2001;
 
 type Answer<T> = Result<T, String>;
@@ -26,13 +26,14 @@ fn count(request: &Value, key: &str) -> Answer<usize> {
     request[key].as_u64().map(|value| value as usize).ok_or_else(|| format!("{key}: a whole number is missing"))
 }
 
-/// What this thread has had of a processor.
+/// Processor time of this thread so far.
 fn processor_time() -> Duration {
     let now = clock_gettime(ClockId::ThreadCPUTime);
     Duration::new(now.tv_sec as u64, now.tv_nsec as u32)
 }
 
-/// The strand of a case: turns of a helix about +x that passes through the origin, clamped along its own tangent; no turns: straight.
+/// The strand of a case: turns of a helix about +x that passes through the origin, clamped along its own tangent; straight
+/// without turns.
 fn strand(case: &Value, elements: usize) -> Answer<StrandDef> {
     let (length, radius, turns) = (number(case, "length")?, number(case, "helix_radius")?, number(case, "turns")?);
     let mut def = StrandDef::straight(length, elements);
@@ -114,7 +115,7 @@ impl World {
         Ok(out)
     }
 
-    /// The length along the sampled centreline over what it should be.
+    /// The length along the sampled centreline, relative to the true one.
     fn relative_length(&self) -> Answer<f64> {
         let points = self.points(0, FINE_POINTS)?;
         let chords = points.windows(2).map(|pair| (Vector3::from(pair[1]) - Vector3::from(pair[0])).norm());
@@ -181,7 +182,7 @@ fn answer(line: &str) -> Answer<Value> {
     match request["do"].as_str() {
         Some("measure") => measure(&request),
         Some("watch") => watch(&request),
-        // What a call costs that has nothing to do: there is no language between this program and the engine.
+        // The cost of an empty call: there is no language between this program and the engine.
         Some("overhead") => Ok(json!({ "seconds": 0.0, "version": env!("CARGO_PKG_VERSION") })),
         other => Err(format!("do: {other:?} is neither measure, watch nor overhead")),
     }

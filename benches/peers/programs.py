@@ -24,7 +24,7 @@ class Program:
                                             env={**os.environ, **ONE_THREAD}, cwd=folder)
 
     def ask(self, request):
-        """The answer; {"error": ...} where the program could not, or died (it is started anew then)."""
+        """The answer; {"error": ...} where the program could not, or died (it is then restarted)."""
         try:
             self.process.stdin.write(json.dumps(request) + "\n")
             self.process.stdin.flush()

@@ -1,4 +1,4 @@
-"""What is tried of each program in each case: its own settings, numbers of elements, steps a second."""
+"""The settings of each program in each case: its own options, numbers of elements, steps per second."""
 from itertools import product
 
 RATES = [30, 60, 120, 180, 240, 360, 480, 720, 960, 1440, 1920, 3840, 7680]
@@ -64,7 +64,7 @@ ORDINARY = {
     "MuJoCo": {"jacobian": "sparse", "ghost": AT_THE_ORIGIN},
     "PyElastica": {"soft": 1e-3, "inertia": 400.0, "ghost": 0.05},
 }
-# A hair as it is: only its stable step is looked at.
+# A realistic hair: only its stable step is measured.
 UNCHANGED = {"soft": 1.0, "inertia": 1.0, "ghost": 0.05}
 STABLE_ELEMENTS = {"curl": 20, "coil": 80, "cantilever": 10}
 STABLE_RATES = [10, 15, 20, 30, 60, 120, 180, 240, 360, 480, 960, 1920, 3840, 7680, 15360, 30720, 61440, 122880, 245760]

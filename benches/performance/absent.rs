@@ -1,5 +1,5 @@
-//! What is not in the scene costs nothing: strands with fewer freedoms, without drag, without friction. Beside the time stands the
-//! number of arithmetic operations, which no other program on the machine can disturb.
+//! What is absent from a scene costs nothing: strands with fewer freedoms, without drag, without friction. Beside the time stands
+//! the number of arithmetic operations, which other programs cannot disturb.
 
 use superhelix::{Freedoms, Precision};
 
@@ -10,10 +10,10 @@ use crate::scene::Hair;
 use crate::statistics::Summary;
 use crate::table::{Table, digits};
 
-/// Elements a strand.
+/// Elements per strand.
 const COUNT: usize = 10;
 
-/// What an iteration's operations are for.
+/// The operations of an iteration by part.
 pub fn parts() -> Table {
     let mut table = Table::new(
         "parts",
@@ -59,7 +59,7 @@ pub fn measure(rounds: usize) -> Table {
         ("drag and friction", Hair { air_drag: 0.0, internal_friction: 0.0, ..all }),
     ];
     for precision in [Precision::F64, Precision::F32] {
-        // Two iterations, so that all do the same work a step.
+        // Two iterations, so that all do the same work per step.
         let settings = kinds.map(|(_, hair)| Setting::new(COUNT).hair(hair).precision(precision));
         let mut contests = settings
             .clone()
@@ -72,7 +72,7 @@ pub fn measure(rounds: usize) -> Table {
         }
         for (k, (name, _)) in kinds.iter().enumerate() {
             let (_, marginal, steps) = &contests[k];
-            // Ratios of the same round.
+            // Ratios within a round.
             let ratio =
                 |mine: &[f64], first: &[f64]| Summary::of(&mine.iter().zip(first).map(|(a, b)| a / b).collect::<Vec<_>>());
             let (step, iteration) = (ratio(steps, &contests[0].2), ratio(&marginal.samples, &contests[0].1.samples));

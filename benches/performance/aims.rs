@@ -1,4 +1,4 @@
-//! The costs that were asked for, each with its limit.
+//! The required costs, each with its limit.
 
 use superhelix::{Integrator, Precision};
 
@@ -13,7 +13,7 @@ use crate::table::{Table, digits};
 /// Elements of the strands of the rows on an iteration.
 const COUNTS: [usize; 5] = [5, 10, 20, 50, 100];
 
-/// The median of the processor time of all threads: twice the time on the wall where both cores were there for us.
+/// The median of the processor time of all threads: twice the wall-clock time if both cores were free.
 fn processor_time(timed: &[Timed]) -> f64 {
     Summary::of(&timed.iter().map(|timed| timed.processor).collect::<Vec<_>>()).median
 }
@@ -94,7 +94,7 @@ impl Aims<'_> {
         }
     }
 
-    /// A strand alone: no packing possible.
+    /// A single strand: no packs possible.
     fn alone(&mut self) {
         let setting = Setting::new(5).strands(1);
         let (mut marginal, mut whole) = (Marginal::new(&setting, 50), Crowd::warm(&setting, 12));
@@ -116,7 +116,7 @@ impl Aims<'_> {
         self.row("one strand alone, N=5, step / iterations".into(), "us", None, Summary::of(&steps).times(1e6), f64::NAN, note);
     }
 
-    /// Whether cost an element grows with N.
+    /// Whether the cost per element grows with N.
     fn growth(&mut self) {
         let mut contests = [10, 1000].map(|count| {
             let setting = Setting::new(count);

@@ -1,4 +1,4 @@
-//! The first moments: nothing is in the caches, nothing was touched, nothing was ever called. To be run before all else.
+//! Cold start: empty caches, untouched memory, no earlier calls. Must run first.
 
 use std::time::Instant;
 
@@ -40,7 +40,7 @@ pub fn measure() -> Table {
         };
         row("a solver", "us", 1e6 * made);
         row("adding a strand", "us", 1e6 * added / 1000.0);
-        // The first step has no past and takes two stages.
+        // The first step has no history and takes two stages.
         row("first step", "ms", 1e3 * steps[0]);
         row("second step", "ms", 1e3 * steps[1]);
         row("20th step", "ms", 1e3 * steps[19]);

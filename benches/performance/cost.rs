@@ -1,4 +1,4 @@
-//! What a step costs an element: over N, by instructions, precision, threads, integrator, Hessian, linear solve and scene.
+//! The cost of a step per element: over N, by instructions, precision, threads, integrator, Hessian, linear solve and scene.
 
 use superhelix::{InstructionSet, Integrator, LinearSolver, Precision};
 
@@ -41,7 +41,7 @@ impl Contest {
         }
     }
 
-    /// Rows: the name, iterations, µs an element-step, µs an element-iteration, spread, share of strand-steps that failed.
+    /// Rows: the name, iterations, µs per element-step, µs per element-iteration, spread, fraction of strand-steps that failed.
     fn rows(&self, table: &mut Table) {
         for (name, crowd, samples) in &self.crowds {
             let elements = crowd.elements() as f64;

@@ -1,4 +1,4 @@
-//! How many arithmetic operations an iteration is: the engine's own kernels run over a number type that counts.
+//! The number of arithmetic operations of an iteration: the engine's own kernels with a number type that counts.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -26,8 +26,8 @@ thread_local! {
     static OPERATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A number that counts additions, subtractions, multiplications, divisions and square roots, each as one. `NARROW`: what f32 does, which
-/// needs fewer terms of its series; the arithmetic itself is of f64 either way.
+/// A number that counts additions, subtractions, multiplications, divisions and square roots, each as one. `NARROW`: the
+/// operations of f32, whose series need fewer terms; the arithmetic itself is that of f64 either way.
 #[derive(Debug, Clone, Copy)]
 struct Counted<const NARROW: bool>(f64);
 
@@ -121,7 +121,7 @@ fn step_in<T: Lane>(setting: &crowd::Setting) -> (f64, f64) {
     let curvatures = def.initial.clone().unwrap_or_else(|| def.natural.clone());
     let rates = vec![[0.0; 3]; curvatures.len()];
     let mut state = StrandState::new(&model, &rules, curvatures, rates, def.root, def.root_velocity, def.root_angular_velocity);
-    // A past at rest, so that the second-order integrator goes its usual way.
+    // A history at rest, so that the second-order integrator takes its usual path.
     state.past.curvatures.clone_from(&state.curvatures);
     state.past.velocities.clone_from(&state.velocities);
     (state.past.root, state.past.step) = (state.root, STEP);
@@ -142,7 +142,7 @@ fn step_in<T: Lane>(setting: &crowd::Setting) -> (f64, f64) {
     (OPERATIONS.get() as f64, f64::from(outcome.iterations))
 }
 
-/// Operations an element of the parts of an iteration.
+/// Operations per element of the parts of an iteration.
 pub fn parts(setting: &crowd::Setting) -> Vec<(&'static str, f64)> {
     match setting.options.step.precision {
         Precision::F64 => parts_in::<Counted<false>>(setting),
@@ -191,7 +191,7 @@ fn parts_in<T: Lane>(setting: &crowd::Setting) -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// Operations an element of one more iteration.
+/// Operations per element of one more iteration.
 pub fn iteration(setting: &crowd::Setting) -> f64 {
     let (few, many) = (step(&setting.clone().iterations(3)), step(&setting.clone().iterations(7)));
     (many.0 - few.0) / (many.1 - few.1) / setting.hair.elements as f64

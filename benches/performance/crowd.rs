@@ -1,4 +1,4 @@
-//! Strands of one solver that take steps against the clock.
+//! Crowds: strands of one solver whose steps are timed.
 
 use std::time::Instant;
 
@@ -19,10 +19,10 @@ fn processor_seconds_of_all() -> f64 {
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
 
-/// Fewer strands than this are few.
+/// A crowd with fewer strands than this is small.
 const FEW: usize = 16;
 
-/// What a crowd is made from.
+/// The setting of a crowd.
 #[derive(Debug, Clone)]
 pub struct Setting {
     /// The scene.
@@ -36,8 +36,8 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// The calm scene, with as many strands of that many elements as make about 2000 elements, but enough to fill the widest pack
-    /// twice; the solver's defaults on one thread.
+    /// The calm scene, with as many strands of this many elements as make about 2000 elements, but at least enough to fill the
+    /// widest pack twice; the solver's defaults on one thread.
     pub fn new(elements: usize) -> Self {
         let strands = (2000 / elements).div_ceil(32).max(1) * 32;
         Self {
@@ -60,43 +60,43 @@ impl Setting {
         self
     }
 
-    /// So many strands.
+    /// With this many strands.
     pub fn strands(mut self, strands: usize) -> Self {
         self.strands = strands;
         self
     }
 
-    /// In that precision.
+    /// In this precision.
     pub fn precision(mut self, precision: Precision) -> Self {
         self.options.step.precision = precision;
         self
     }
 
-    /// By that integrator.
+    /// With this integrator.
     pub fn integrator(mut self, integrator: Integrator) -> Self {
         self.options.step.integrator = integrator;
         self
     }
 
-    /// With those instructions.
+    /// With these instructions.
     pub fn instructions(mut self, set: InstructionSet) -> Self {
         self.options.instruction_set = Some(set);
         self
     }
 
-    /// With the exact Hessian, or by Gauss and Newton.
+    /// With the exact Hessian, or Gauss–Newton.
     pub fn exact(mut self, exact: bool) -> Self {
         self.options.step.exact_hessian = exact;
         self
     }
 
-    /// On so many threads.
+    /// On this many threads.
     pub fn threads(mut self, threads: usize) -> Self {
         self.options.workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
         self
     }
 
-    /// Exactly so many iterations a step: the tolerance cannot be met, and no step is taken in parts.
+    /// Exactly this many iterations per step: the tolerance cannot be met, and no step is subdivided.
     pub fn iterations(mut self, iterations: u32) -> Self {
         self.options.step.max_iterations = iterations;
         self.options.step.tolerance = f64::MIN_POSITIVE;
@@ -108,19 +108,20 @@ impl Setting {
 /// One timed step, or several.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Timed {
-    /// Seconds a step: processor time on one thread, wall-clock time on several. Of a few strands: what the roots take included.
+    /// Seconds per step: processor time on one thread, wall-clock time on several. For small crowds it includes the time of the
+    /// roots.
     pub seconds: f64,
-    /// Iterations a strand and step.
+    /// Iterations per strand and step.
     pub iterations: f64,
-    /// Strand-steps that did not converge or were rolled back, of all.
+    /// Fraction of strand-steps that did not converge or were rolled back.
     pub failed: f64,
-    /// Seconds a step to say where the roots are.
+    /// Seconds per step for setting the roots.
     pub roots: f64,
-    /// Processor seconds a step, all threads together.
+    /// Processor seconds per step, all threads together.
     pub processor: f64,
 }
 
-/// Strands on the move.
+/// Moving strands.
 pub struct Crowd {
     /// What it was made from.
     pub setting: Setting,
@@ -140,7 +141,7 @@ impl Crowd {
         Self { setting: setting.clone(), solver, ids, stage, steps: 0 }
     }
 
-    /// The same, some steps later: all memory touched, the motion under way.
+    /// The same after some steps: all memory touched, the motion under way.
     pub fn warm(setting: &Setting, steps: u32) -> Self {
         let mut crowd = Self::new(setting);
         crowd.take(steps);
@@ -152,7 +153,7 @@ impl Crowd {
         self.setting.strands * self.setting.hair.elements
     }
 
-    /// Takes steps between two looks at the clock: asking for the processor's time takes as long as a part of a strand's step does.
+    /// Takes steps between two readings of the clock: reading the processor time takes as long as a part of a strand's step.
     fn take_together(&mut self, steps: u32) -> Timed {
         let roots: Vec<_> = (1..=steps).map(|step| self.stage.roots(STEP * f64::from(self.steps + step))).collect();
         self.steps += steps;
@@ -175,7 +176,7 @@ impl Crowd {
         }
     }
 
-    /// Takes steps without looking at a clock (rustix's does not run under valgrind); iterations of a strand in all.
+    /// Takes steps without reading a clock (rustix's does not run under valgrind); returns a strand's total iterations.
     pub fn take_untimed(&mut self, steps: u32) -> f64 {
         let mut iterations = 0.0;
         for _ in 0..steps {
@@ -187,7 +188,7 @@ impl Crowd {
         iterations
     }
 
-    /// Takes steps; the mean.
+    /// Takes steps; returns the mean.
     pub fn take(&mut self, steps: u32) -> Timed {
         let mut sum = Timed::default();
         let serial = matches!(self.setting.options.workers, Workers::Serial);

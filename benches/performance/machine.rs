@@ -1,4 +1,4 @@
-//! What the machine can do at most: multiplications and additions a second in its widest registers, and bytes copied a second.
+//! The machine's peak: multiplications and additions per second in its widest registers, and bytes copied per second.
 #![allow(unsafe_code)]
 
 use std::hint::black_box;
@@ -9,7 +9,7 @@ use superhelix::InstructionSet;
 use crate::crowd::processor_seconds;
 use crate::statistics::Summary;
 
-/// Chains of multiplications, and as many of additions, that do not wait for one another.
+/// Independent chains of multiplications, and as many of additions.
 const CHAINS: usize = 10;
 const REPEATS: usize = 20_000;
 const SAMPLES: usize = 15;
@@ -42,18 +42,18 @@ operations!(avx2_f32, "avx2", f32, _mm256_set1_ps, _mm256_mul_ps, _mm256_add_ps,
 operations!(sse2_f64, "sse2", f64, _mm_set1_pd, _mm_mul_pd, _mm_add_pd, 2);
 operations!(sse2_f32, "sse2", f32, _mm_set1_ps, _mm_mul_ps, _mm_add_ps, 4);
 
-/// What the machine can do.
+/// The machine's peak.
 #[derive(Debug, Clone, Copy)]
 pub struct Peak {
-    /// Multiplications and additions a second, one core, f64; not a number where it is not measured.
+    /// Multiplications and additions per second, one core, f64; NaN if not measured.
     pub f64_operations: f64,
     /// The same, f32.
     pub f32_operations: f64,
-    /// Bytes a second, read and written ones both counted, one core copying 128 MiB to 128 MiB.
+    /// Bytes per second, counting both reads and writes, one core copying 128 MiB to 128 MiB.
     pub copy: f64,
-    /// The same, two cores each copying its half.
+    /// The same, two cores each copying one half.
     pub copy_on_two: f64,
-    /// Of the time on the wall, how much the processor was ours while one thread measured: 1 on a machine that does nothing else.
+    /// The fraction of wall-clock time for which one measuring thread had the processor: 1 on an otherwise idle machine.
     pub ours: f64,
 }
 
@@ -126,7 +126,7 @@ impl Peak {
     }
 }
 
-/// The processor's name and the commit, as far as they can be known.
+/// The processor's name and the commit, if known.
 pub fn description() -> (String, String) {
     let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
     let cpu = read("/proc/cpuinfo");

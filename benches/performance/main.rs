@@ -1,8 +1,8 @@
-//! What the engine costs, all in one run: the costs that were asked for, and tables over N, instructions, precision, threads, integrators,
+//! The cost of the engine, all in one run: the required costs, and tables over N, instructions, precision, threads, integrators,
 //! scenes, freedoms, terms and numbers of strands. `docs/notebook/performance.md` shows and explains them.
 //!
-//! Rows that are compared take turns: a round takes each through the same steps once, so that what else the machine does falls on all
-//! alike; figures are medians over the rounds. On one thread it is processor time that is measured, on two the clock on the wall.
+//! Compared rows take turns: a round takes each through the same steps once, so that other programs affect all alike; figures are
+//! medians over the rounds. On one thread the figure is processor time, on two the wall clock.
 //!
 //! `cargo bench --profile demo --bench performance -- [--csv DIRECTORY] [--rounds 15] [--only aims,cost,…]`
 //! `cargo bench … -- --profile N f64|f32 SET exact|gauss_newton|linearly_implicit|head SECONDS`: nothing but steps, for a
@@ -31,7 +31,7 @@ use crate::machine::Peak;
 use crate::scene::Hair;
 use crate::table::{Table, digits};
 
-/// All parts, in the order in which they are measured.
+/// All parts, in the order of measurement.
 const PARTS: [&str; 8] = ["cold", "machine", "aims", "cost", "options", "scenes", "absent", "scaling"];
 
 fn main() {
@@ -55,7 +55,7 @@ fn main() {
     if wanted("cold") {
         cold::measure().write(directory.as_ref());
     }
-    // The aims are compared with the machine's peak of the same run.
+    // The aims are compared with the machine's peak in the same run.
     if wanted("machine") || wanted("aims") {
         let peak = Peak::measure();
         machine_table(&peak, rounds).write(directory.as_ref());
@@ -101,7 +101,7 @@ fn machine_table(peak: &Peak, rounds: usize) -> Table {
     table
 }
 
-/// The setting that words name: elements, precision, instructions.
+/// The setting given by words: elements, precision, instructions.
 fn named(words: &[String]) -> Setting {
     let [count, precision, set, ..] = words else { panic!("expected: N, f64 or f32, a set of instructions, …") };
     let precision = if precision == "f32" { Precision::F32 } else { Precision::F64 };
@@ -129,7 +129,8 @@ fn profile(words: &[String]) {
     println!("{steps} steps, {iterations} iterations, {} us an element-iteration", digits(1e6 * each));
 }
 
-/// Some steps of 16 strands, each of exactly so many iterations; their sum is told, so that whoever counts sees that it was.
+/// Some steps of 16 strands, each with a fixed number of iterations; prints their sum, so that whoever counts instructions can
+/// verify it.
 fn steps(words: &[String]) {
     let (steps, iterations) = (words[0].parse().expect("steps"), words[4].parse().expect("iterations"));
     let mut crowd = Crowd::new(&named(&words[1..]).strands(16).iterations(iterations));

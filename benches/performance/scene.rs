@@ -1,15 +1,15 @@
-//! The scenes that are timed: y up, steps of 1/60 s.
+//! The timed scenes: y up, steps of 1/60 s.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::hair::natural_under_gravity;
 use superhelix::io::Motion;
 use superhelix::{Frame, Freedoms, Material, StrandDef};
 
-/// Seconds a step.
+/// Seconds per step.
 pub const STEP: f64 = 1.0 / 60.0;
 /// Gravity, m/s².
 pub const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
-/// So many strands of a crowd differ; the others repeat them.
+/// The number of distinct strands of a crowd; the others repeat them.
 const KINDS: usize = 97;
 
 /// How the roots move.
@@ -37,7 +37,7 @@ impl Scene {
 /// Hair of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hair {
-    /// Elements a strand.
+    /// Elements per strand.
     pub elements: usize,
     /// Free curvatures.
     pub freedoms: Freedoms,
@@ -55,7 +55,8 @@ impl Hair {
         Self { elements, freedoms: Freedoms::ALL, air_drag: 5e-6, internal_friction: 1e-10, viscosity: 0.0 }
     }
 
-    /// Hair with Kelvin–Voigt friction, which the papers' step treats implicitly: in the calm scene that step is then stable at 1/60 s.
+    /// Hair with Kelvin–Voigt friction, which the linearly implicit step treats implicitly: it is then stable at 1/60 s in the
+    /// calm scene.
     pub fn viscous(elements: usize) -> Self {
         Self { internal_friction: 0.0, viscosity: 10e-3, ..Self::of(elements) }
     }
@@ -70,20 +71,20 @@ impl Hair {
     }
 }
 
-/// A scene with its motion at hand.
+/// A scene with its motion.
 pub struct Stage {
     scene: Scene,
     walk: Option<Motion>,
     follicles: Vec<Frame>,
 }
 
-/// A number in [0, 1) for a strand: the golden ratio's multiples, so that any few neighbours are spread evenly.
+/// A number in [0, 1) per strand: multiples of the golden ratio, so that any few neighbours are spread evenly.
 fn spread(index: usize, multiple: f64) -> f64 {
     ((index + 1) as f64 * multiple * 0.618_033_988_749_894_8).fract()
 }
 
 impl Stage {
-    /// The scene for that many strands.
+    /// The scene for this many strands.
     pub fn new(scene: Scene, strands: usize) -> Self {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/grooms/walk_figure8_head.csv");
         let walk = (scene == Scene::Walk).then(|| Motion::read(path, None).expect("the walk"));
@@ -130,7 +131,7 @@ impl Stage {
             .collect()
     }
 
-    /// One of the strands that differ.
+    /// One of the distinct strands.
     fn shape(&self, hair: &Hair, index: usize, root: Frame) -> StrandDef {
         let length = if self.scene == Scene::Sway { 0.2 } else { 0.25 };
         let mut def = StrandDef::straight(length, hair.elements);
@@ -151,7 +152,7 @@ impl Stage {
     }
 }
 
-/// Where a strand grows on the head, at the head's origin.
+/// The follicle of a strand on the head, relative to the head's origin.
 fn follicle(scene: Scene, index: usize, strands: usize) -> Frame {
     let about_z = |angle| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
     // n1 level, n2 upwards: the curvature κ1 bends the strand down.

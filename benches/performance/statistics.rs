@@ -1,6 +1,6 @@
 //! Medians and spreads.
 
-/// The median of some values, and how far apart the quartiles are, as a share of it.
+/// The median of some values, and the distance of the quartiles relative to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
     /// The median.

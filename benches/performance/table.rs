@@ -1,4 +1,4 @@
-//! Tables: lines on the terminal while they are measured, and csv files of the same.
+//! Tables: printed line by line during measurement, and written as csv files.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table by that name with those columns; its title is printed.
+    /// A table with this name and these columns; prints its title.
     pub fn new(name: &'static str, title: &str, header: &[&'static str]) -> Self {
         println!("\n{title}");
         let header_cells: Vec<_> = header.iter().map(|text| (*text).to_owned()).collect();
@@ -42,7 +42,7 @@ impl Table {
     }
 }
 
-/// A line on the terminal: what is measured to the left, numbers and notes to the right of it.
+/// A line on the terminal: the measured quantity on the left, numbers and notes on the right.
 fn print(cells: &[String]) {
     let line: String =
         cells.iter().enumerate().map(|(k, text)| if k == 0 { format!("{text:56}") } else { format!("{text:>17}") }).collect();

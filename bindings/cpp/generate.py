@@ -278,7 +278,7 @@ def file(guard: str, about: str, includes: str, body: str) -> str:
 
 
 def check_tables() -> None:
-    """What the tables name must be there."""
+    """Checks that everything in the tables exists."""
     prefixes = {enumeration["name"] for enumeration in API["enumerations"]}
     by_hand = {name: without for name, (without, _) in EXTRA.items()} | {name: {"data"} for name in ("shx_input", "shx_output")}
     wrong = [prefix for prefix in ENUMERATIONS if prefix not in prefixes] + differences(by_hand)
@@ -287,7 +287,7 @@ def check_tables() -> None:
 
 
 def outputs() -> dict[Path, str]:
-    """What is generated, by file."""
+    """The generated text of each file."""
     check_tables()
     structs = "".join(definition(struct) for struct in API["structs"] if struct["name"] not in BY_HAND)
     return {

@@ -381,7 +381,7 @@ def file(body: str) -> str:
 
 
 def check_tables() -> None:
-    """What the tables name must be there."""
+    """Checks that everything in the tables exists."""
     prefixes = {enumeration["name"] for enumeration in API["enumerations"]}
     by_hand = EXTRA | {name: {"data"} for name in ("shx_input", "shx_output")}
     wrong = [prefix for prefix in ENUMERATIONS if prefix not in prefixes] + differences(by_hand)
@@ -418,7 +418,7 @@ def metas(files: set[Path]) -> dict[Path, str]:
 
 
 def outputs() -> dict[Path, str]:
-    """What is generated, by file."""
+    """The generated text of each file."""
     check_tables()
     structs = [struct for struct in API["structs"] if struct["name"] not in BY_HAND]
     made = {

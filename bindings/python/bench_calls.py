@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a call costs through Python, beside the same call from C: the table of docs/reference/python.md.
+"""The cost of a call through Python, beside the same call from C: the table of docs/reference/python.md.
 
     python bindings/python/bench_calls.py [--rounds 5]
 

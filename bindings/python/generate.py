@@ -23,7 +23,7 @@ import api as description  # noqa: E402
 from api import Field, Struct, Type  # noqa: E402
 
 WIDTH = 132
-# What the formatter leaves on one line.
+# Lines that the formatter does not break.
 LONGEST = 160
 
 CTYPES = {
@@ -204,7 +204,7 @@ class Generator:
         return f"{base} * {array}" if array else base
 
     def python_type(self, kind: Type, array: int = 0) -> str:
-        """What a function of the C API takes or gives, for the type checker."""
+        """The type of an argument or result of the C API, for the type checker."""
         if kind.pointer or array or kind.name in self.callbacks:
             return "Pointer"
         if kind.name in self.structs:

@@ -88,7 +88,7 @@ export class Superhelix {
     this.#types.set(struct.name, { size: Math.ceil(offset / alignment) * alignment, alignment, fields, init: struct.init });
   }
 
-  /** All of the module's memory. Ask anew after every call: the memory may have grown and the old view be empty. */
+  /** All of the module's memory. Get it again after every call: the memory may have grown, which empties the old view. */
   get view() {
     return new DataView(this.#memory.buffer);
   }

@@ -1,4 +1,4 @@
-//! How fast solvers of the contact problem come to its solution.
+//! The speed of convergence of solvers for the contact problem.
 
 mod problem;
 

@@ -1,4 +1,5 @@
-//! A contact problem like that of a head that is shaken: strands over a head, their true responses, touches with the head and each other.
+//! A contact problem like that of a shaken head: strands over a head, their true responses, contacts with the head and each
+//! other.
 
 use nalgebra::Vector3;
 use superhelix::Material;
@@ -34,20 +35,20 @@ impl Numbers {
     }
 }
 
-/// What the problem is like.
+/// The parameters of the problem.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
     /// Strands.
     pub strands: usize,
-    /// Elements of each.
+    /// Contacts of each with the head.
     pub elements: usize,
-    /// Touches of each with the head.
+    /// Pairs per strand.
     pub on_head: usize,
     /// Pairs, a strand.
     pub pairs: f64,
     /// Coulomb's coefficient.
     pub mu: f64,
-    /// Curvature beside that along the head, rad/m.
+    /// Curvature in addition to that along the head, rad/m.
     pub curl: f64,
 }
 
@@ -57,7 +58,7 @@ struct Strand {
     stations: Vec<Station>,
 }
 
-/// Builds it. The second list is the free displacements of the next step, a little different: for warm starts.
+/// Builds it. The second list is the unconstrained displacements of the next step, slightly different: for warm starts.
 pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
     let mut numbers = Numbers(7);
     let rule = Rule::gauss_legendre(8);
@@ -88,7 +89,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         let place = numbers.within(0.05, 1.0) * kind.elements as f64 * 0.999_999;
         Station::on(place as usize, place.fract() * length)
     };
-    // (strand, station) of the two ends.
+    // (strand, material point) of the two ends.
     type Place = (usize, usize);
     let mut pairs: Vec<(Place, Option<Place>)> = Vec::new();
     for (index, strand) in strands.iter_mut().enumerate() {
@@ -99,7 +100,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
     }
     for _ in 0..(kind.pairs * kind.strands as f64) as usize {
         let first = (numbers.next() * kind.strands as f64) as usize;
-        // Neighbours on the spiral: 1, 2, 3, 5, 8, 13, 21 further.
+        // Neighbours on the spiral: 1, 2, 3, 5, 8, 13, 21 farther.
         let away = [1, 2, 3, 5, 8, 13, 21][(numbers.next() * 7.0) as usize];
         let second = (first + away) % kind.strands;
         if second == first {
@@ -115,7 +116,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
     let mut space = ContactSpace::default();
     space.reset(STEP).unwrap();
     for strand in &mut strands {
-        // From root to tip, as the elimination wants them; the pairs keep their own order.
+        // From root to tip, as the elimination requires; the pairs keep their own order.
         let mut order: Vec<usize> = (0..strand.stations.len()).collect();
         order.sort_by(|a, b| {
             let key = |k: &usize| (strand.stations[*k].element, strand.stations[*k].s);
@@ -155,7 +156,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         }
     }
 
-    // The head turns and sways: a strand lags behind, the more the further out, towards the head on one side of it.
+    // The head turns and sways: a strand lags behind, more so farther out, towards the head on one side of it.
     let mut next = Vec::new();
     for (first, second) in &pairs {
         let way = |(strand, station): (usize, usize), sway: Vector3<f64>| {

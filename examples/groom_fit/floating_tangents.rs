@@ -1,18 +1,20 @@
-//! Piecewise helices by floating tangents (Derouet-Jourdan, Bertails-Descoubes and Thollot 2013): through given points of the curve goes a
-//! curve of helices with continuous tangents as soon as, for each piece, both tangents make the same angle with the chord. The tangents are
-//! moved as little as may be until they do; each piece's helix is then found from its chord and tangents.
+//! Piecewise helices by floating tangents (Derouet-Jourdan, Bertails-Descoubes and Thollot 2013): a curve of helices with
+//! continuous tangents passes through given points of the curve if, for each piece, both tangents make the same angle with the
+//! chord. The tangents are moved as little as possible until they do; each piece's helix then follows from its chord and
+//! tangents.
 //!
-//! It is a Super-Helix, its material frame carried along; but its length is its own, and no choice of the pieces is part of the method.
+//! The result is a Super-Helix with a parallel-transported material frame. But its length is its own, and the choice of the
+//! pieces is not part of the method.
 
 use nalgebra::{Rotation3, Unit, Vector3};
 
 use crate::methods::Errors;
 use crate::sequential::{arclengths, stretch};
 
-/// Sweeps over the pieces' conditions at most.
+/// Largest number of sweeps over the pieces' conditions.
 const SWEEPS: usize = 500;
 
-/// Fits, and measures at the points, at equal shares of the lengths.
+/// Fits, and measures at the points, at equal fractions of the lengths.
 pub fn fit(points: &[Vector3<f64>], elements: usize) -> Option<Errors> {
     let all = arclengths(points);
     let total = all[all.len() - 1];
@@ -46,7 +48,7 @@ pub fn fit(points: &[Vector3<f64>], elements: usize) -> Option<Errors> {
     Some(Errors::of(&distances))
 }
 
-/// Moves tangents until (t − t′)·chord = 0 for every piece: each condition in turn by the least change, again and again.
+/// Moves tangents until (t − t′)·chord = 0 for every piece: satisfies each condition in turn by the least change, repeatedly.
 fn float(nodes: &[Vector3<f64>], tangents: &mut [Vector3<f64>]) {
     for _ in 0..SWEEPS {
         let mut worst = 0.0_f64;
@@ -68,7 +70,7 @@ struct Piece {
     start: Vector3<f64>,
     tangent: Vector3<f64>,
     axis: Unit<Vector3<f64>>,
-    /// rad a unit of length.
+    /// rad per unit of length.
     rate: f64,
     length: f64,
 }
@@ -84,7 +86,7 @@ impl Piece {
             return None;
         }
         if across.norm() < 1e-9 {
-            // Equal tangents: a straight piece, where the chord lies along them (else a whole turn, which nobody wants here).
+            // Equal tangents: a straight piece if the chord lies along them (otherwise a whole turn, which is unwanted here).
             return Some(Self { start: from, tangent: chord / size, axis: Vector3::z_axis(), rate: 0.0, length: size });
         }
         let normal = across.normalize();
@@ -106,7 +108,7 @@ impl Piece {
             let here = mean.dot(&middle).atan2(mean.dot(&normal));
             (here - wanted + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI
         };
-        // The nearest zero to the plane arc's axis, by widening steps and halving.
+        // The zero nearest to the plane arc's axis, by widening steps and bisection.
         let mut best: Option<f64> = None;
         for side in [1.0, -1.0] {
             let (mut low, mut value) = (0.0, miss(0.0));

@@ -1,9 +1,11 @@
-//! How close fitted strands come on real grooms, what it costs, beside other ways to fit, and how still they lie: the tables of docs/notebook/groom_fit.md.
+//! The quality of fits on real grooms, their cost beside other methods, and how still fitted strands lie: the tables of
+//! docs/notebook/groom_fit.md.
 //!
 //!     cargo run --profile demo --example groom_fit -- OUT_DIRECTORY [GROOM_DIRECTORY] [THREADS]
 //!
-//! Every .hair, .tfx, .usda, .data and .obj of the directory (without one: those of tests/data/grooms), uncompressed. Errors are in units of the
-//! strand's length, so that nobody need know the grooms' units; where weight matters they are known or chosen (`stillness.rs`).
+//! Reads every .hair, .tfx, .usda, .data and .obj of the directory (by default tests/data/grooms), uncompressed. Errors are
+//! relative to the strand's length, so the grooms' units do not matter; where weight matters they are known or chosen
+//! (`stillness.rs`).
 
 mod floating_tangents;
 mod methods;
@@ -24,9 +26,9 @@ use superhelix::io::Curves;
 
 type Answer<T> = Result<T, Box<dyn std::error::Error>>;
 
-/// Strands that the other methods are tried on, evenly spread.
+/// Strands for the other methods, evenly spread.
 const SAMPLE: usize = 300;
-/// Times are the least of so many rounds.
+/// Times are the least of this many rounds.
 const ROUNDS: usize = 3;
 
 fn main() -> Answer<()> {
@@ -56,7 +58,7 @@ fn main() -> Answer<()> {
         let name = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let curves = match Curves::read(&file) {
             Ok(curves) => curves,
-            // A directory of grooms has other files as well: bodies, motions.
+            // A directory of grooms also has other files: bodies, motions.
             Err(error) => {
                 println!("left out: {error}");
                 continue;
@@ -105,7 +107,7 @@ fn main() -> Answer<()> {
         table.flush()?;
         compare(&name, &polylines, &mut compared)?;
         for share in [0.01, 0.003] {
-            // A tolerance for each strand in units of its own length: the curves are scaled to length one.
+            // A tolerance for each strand relative to its own length: the curves are scaled to length one.
             let scaled: Vec<Vec<Vector3<f64>>> =
                 polylines.iter().step_by(polylines.len().div_ceil(2000)).filter_map(|points| unit(points)).collect();
             let inputs: Vec<FitCurve<'_>> = scaled.iter().map(|points| FitCurve::polyline(points)).collect();
@@ -153,13 +155,13 @@ fn compare(name: &str, polylines: &[Vec<Vector3<f64>>], out: &mut impl Write) ->
     Ok(())
 }
 
-/// Processor time of all threads: what the wall clock says depends on what else runs.
+/// Processor time of all threads: the wall clock depends on what else runs.
 fn processor_seconds() -> f64 {
     let time = clock_gettime(ClockId::ProcessCPUTime);
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
 
-/// A polyline scaled to length one; none without length.
+/// A polyline scaled to length one; `None` without length.
 fn unit(points: &[Vector3<f64>]) -> Option<Vec<Vector3<f64>>> {
     let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     (length > 1e-12).then(|| points.iter().map(|point| (point - points[0]) / length).collect())

@@ -1,11 +1,11 @@
-//! The ways to fit that are compared. Curves have length one.
+//! The compared methods of fitting. Curves have length one.
 
 use nalgebra::Vector3;
 use superhelix::hair::{ElementLengths, FitCurve, FitOptions, FitScratch, fit_curve};
 
 use crate::{floating_tangents, sequential};
 
-/// Distances between the curve's points and the strand at equal shares of the length.
+/// Distances between the curve's points and the strand at equal fractions of the length.
 pub struct Errors {
     pub root_mean_square: f64,
     pub largest: f64,
@@ -21,7 +21,7 @@ impl Errors {
 
 type Method = fn(&[Vector3<f64>], usize) -> Option<Errors>;
 
-/// What is compared.
+/// The methods.
 pub const METHODS: [(&str, Method); 8] = [
     ("sequential", sequential::fit),
     ("floating tangents", floating_tangents::fit),

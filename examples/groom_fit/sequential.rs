@@ -1,5 +1,5 @@
-//! Element by element from the root: each is the helix closest to its stretch of the curve from where the one before it ended, with its
-//! frame.
+//! Fits element by element from the root: each is the helix closest to its stretch of the curve, starting at the end and with the
+//! frame of the one before.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::hair::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
@@ -71,7 +71,7 @@ pub fn fit(points: &[Vector3<f64>], elements: usize) -> Option<Errors> {
         let own: Vec<f64> = at.iter().map(|s| s - from).collect();
         let mut root = FitRoot::Curve;
         if let Some((rotation, origin)) = frame {
-            // From where the last one ended, and with its frame.
+            // From the end of the last one, with its frame.
             part[0] = origin;
             root = FitRoot::Frame(rotation);
         }

@@ -1,4 +1,5 @@
-//! Whether a groom whose strands carry their weight where they are drawn lies still: rest shapes, ten seconds, the furthest that a strand moves.
+//! Whether a groom lies still if its strands carry their weight in the drawn shape: rest shapes, ten seconds, the largest motion
+//! of a strand.
 
 use std::io::Write;
 
@@ -10,12 +11,12 @@ use superhelix::{Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 use crate::Answer;
 
-/// The columns of what is measured.
+/// The columns of the table.
 pub const HEAD: &str =
     "groom,metres_per_unit,known,strands,elements,unstable,stiffening95,stiffening100,moved,unconverged,quarantined,seconds";
 
-/// Grooms whose size is known or can be told from the head that they are on, metres a unit. Files that state a unit go by that, others are
-/// taken so large that half of their strands are longer than `MEDIAN`.
+/// Grooms whose size is known or follows from their head, metres per unit. Files with a unit use that; others are scaled so that
+/// half of their strands are longer than `MEDIAN`.
 const SCALES: [(&str, f64); 13] = [
     ("amd_ponytail", 0.0031),
     ("amd_bear", 0.01),
@@ -31,17 +32,17 @@ const SCALES: [(&str, f64); 13] = [
     ("arnold_motion", 0.03),
     ("tinyusdz_hair", 0.04),
 ];
-/// Of those that do not state which way is up, these have z up; all others y.
+/// Among those without an up axis these have z up; all others y.
 const Z_UP: [&str; 1] = ["yuksel"];
 /// m.
 const MEDIAN: f64 = 0.1;
-/// Curls from this turning on (median, degrees) get ten elements, others five.
+/// Grooms with at least this turning (median, degrees) get ten elements, others five.
 const CURLY: f64 = 300.0;
-/// The smallest eigenvalue that an unstable strand is stiffened to.
+/// Unstable strands are stiffened to this smallest eigenvalue.
 const STABLE: f64 = 0.05;
 const POINTS: usize = 9;
 
-/// Fits the groom's strands, gives them rest shapes (those that would not rest stably are made as much stiffer as that takes), and lets them be
+/// Fits the groom's strands, gives them rest shapes (unstable ones are stiffened as much as that takes), and leaves them alone
 /// for ten seconds in steps of 1/60 s.
 pub fn measure(name: &str, curves: &Curves, turning: f64, workers: &Workers, out: &mut impl Write) -> Answer<()> {
     let listed = SCALES.iter().find(|(known, _)| name.starts_with(known)).map(|(_, scale)| *scale);

@@ -1,4 +1,4 @@
-//! What a hand-over costs beside the step that it follows: processor time of the simulation's thread.
+//! The cost of a hand-over beside the step that it follows: processor time of the simulation's thread.
 
 use std::fmt::Write as _;
 
@@ -20,7 +20,7 @@ fn median(values: &mut [f64]) -> f64 {
     values[values.len() / 2]
 }
 
-/// What a stroke's frames took.
+/// The times of a stroke's frames.
 #[derive(Default)]
 struct Cost {
     steps: Vec<f64>,
@@ -28,7 +28,7 @@ struct Cost {
     touches: u32,
 }
 
-/// A stroke of so many frames, with no clock looked at unless `is_timed`.
+/// A stroke with this many frames; reads no clock unless `is_timed`.
 fn comb(strands: usize, frames: usize, is_timed: bool) -> Cost {
     let (mut solver, teeth) = combed_hair(strands, 15.0);
     let (mut tool, mut device) = haptic(&solver, &teeth, &HapticOptions::default()).expect("a tool");
@@ -59,7 +59,7 @@ pub fn table(out: &str) {
     let mut csv = "strands,touches,step_ms,hand_over_ms,longest_hand_over_ms\n".to_string();
     for strands in [20, 100, 1000] {
         let mut cost = comb(strands, 168, true);
-        // From where the comb is in the hair.
+        // From the time at which the comb is in the hair.
         let (mut steps, mut hand_overs) = (cost.steps.split_off(40), cost.hand_overs.split_off(40));
         let longest = hand_overs.iter().copied().fold(0.0, f64::max);
         let line = format!(

@@ -1,4 +1,4 @@
-//! A groom of a thousand guides as wisps of the default kind, and the comb that goes down its side.
+//! A groom of a thousand guides as default wisps, and a comb that goes down its side.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use superhelix::{BodyDef, BodyId, Frame, Material, Shape, Solver, SolverOptions,
 
 const TEETH: usize = 7;
 
-/// Guides of `fibermesh_1k.tfx`, every so manieth, and the comb beside it.
+/// Every `every`-th guide of `fibermesh_1k.tfx`, and the comb beside it.
 pub fn combed(every: usize, elements: usize, threads: usize) -> (Solver, Vec<BodyId>) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/grooms/fibermesh_1k.tfx");
     let curves = Curves::read(path).expect("a groom");

@@ -1,4 +1,4 @@
-//! The figures of docs/notebook/haptics.md: a tool in a hand, measured (scripts/haptics.sh).
+//! The figures of docs/notebook/haptics.md: measurements of a tool in a hand (scripts/haptics.sh).
 #![allow(missing_docs)]
 
 #[path = "../../tests/haptics/agreement.rs"]

@@ -1,5 +1,5 @@
-//! Strokes through a groom in real time, the device at 1 kHz and the simulation beside it: how long an update takes, and how long poses and forces take
-//! from one side to the other.
+//! Strokes through a groom in real time, with the device at 1 kHz and the simulation beside it: the time of an update, and the
+//! delays of poses and forces between the two sides.
 
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};
@@ -17,7 +17,7 @@ fn thread_seconds() -> f64 {
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
 
-/// One update: when it began and ended, s, its processor time, and how old the pose behind its force was.
+/// One update: its start and end, s, its processor time, and the age of the pose behind its force.
 #[derive(Clone, Copy)]
 struct Update {
     began: f64,
@@ -27,7 +27,7 @@ struct Update {
     model_age: f64,
 }
 
-/// When a step took its pose, and when what came of it was published, s.
+/// The times at which a step took its pose and published its result, s.
 #[derive(Clone, Copy)]
 struct Step {
     began: f64,
@@ -68,20 +68,20 @@ fn steps(mut solver: Solver, mut tool: Tool, start: Instant, rate: f64, seconds:
         solver.step_within(1.0 / rate, 1, &limits).expect("a step");
         tool.after_step(&mut solver).expect("the tool's bodies");
         all.push(Step { began, ended: start.elapsed().as_secs_f64(), own: thread_seconds() - own });
-        // Frames that are past are left out.
+        // Skips frames whose time has passed.
         frame = (frame + 1).max((start.elapsed().as_secs_f64() * rate) as usize);
     }
     all
 }
 
-/// Median, 99 and 99.9 of a hundred, and the longest, ms.
+/// Median, 99th and 99.9th percentile, and the longest, ms.
 fn spread(mut values: Vec<f64>) -> [f64; 4] {
     values.sort_by(f64::total_cmp);
     let at = |part: f64| 1e3 * values[((values.len() as f64 * part) as usize).min(values.len() - 1)];
     [at(0.5), at(0.99), at(0.999), at(1.0)]
 }
 
-/// Writes what was measured: a line a quantity, and the latencies' histograms by quarters of a millisecond.
+/// Writes the measurements: one line per quantity, and the latencies' histograms in quarters of a millisecond.
 pub fn measure(out: &str, histogram: &str, seconds: f64, rate: f64, threads: usize) {
     let (solver, teeth) = groom::combed(1, 4, threads);
     let options = HapticOptions::default();
@@ -94,12 +94,12 @@ pub fn measure(out: &str, histogram: &str, seconds: f64, rate: f64, threads: usi
         (device.join().expect("no panic"), steps)
     });
 
-    // From a pose to the step that takes it: the newest at its beginning.
+    // From a pose to the step that takes it: the newest one at the step's start.
     let to_simulation = steps.iter().filter_map(|step| {
         let next = updates.partition_point(|update| update.ended <= step.began);
         (next > 0).then(|| step.began - updates[next - 1].began)
     });
-    // From what a step published to the first update that begins afterwards.
+    // From a step's publication to the first update that starts afterwards.
     let to_device = steps.iter().filter_map(|step| {
         let next = updates.partition_point(|update| update.began < step.ended);
         updates.get(next).map(|update| update.ended - step.ended)
@@ -138,7 +138,7 @@ pub fn measure(out: &str, histogram: &str, seconds: f64, rate: f64, threads: usi
     let mut bins = vec![[0_u32; 3]; 161];
     for (way, latencies) in [to_simulation, to_device, whole_way].iter().enumerate() {
         for latency in latencies {
-            // (A model's age is whole milliseconds, but for rounding.)
+            // (A model's age is whole milliseconds, except for rounding.)
             bins[(((latency + 1e-9) / BIN) as usize).min(160)][way] += 1;
         }
     }

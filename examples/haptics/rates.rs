@@ -1,4 +1,4 @@
-//! The same stroke felt directly, at 1 kHz, and handed over from a slower simulation: what is left between the two.
+//! The same stroke felt directly, at 1 kHz, and handed over from a slower simulation: the difference between the two.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use super::agreement::{Forces, difference, drawn, rms};
 use super::groom;
 use super::scene::{Felt, Rate, combed_hair, direct, handed_over_and_simulated, stroke};
 
-/// Rates, substeps and how late the hand-over comes, s. The first is the direct stroke's own rate, stepped more finely: what that itself is off by.
+/// Rates, substeps and the delay of the hand-over, s. The first is the direct stroke's own rate with finer steps: its own error.
 const RATES: [(f64, u32, f64); 6] =
     [(1000.0, 4, 0.0), (60.0, 1, 4e-3), (120.0, 1, 4e-3), (120.0, 2, 4e-3), (120.0, 8, 4e-3), (240.0, 1, 2e-3)];
 
@@ -52,7 +52,7 @@ impl Case<'_> {
     }
 }
 
-/// Forty curly hairs, combed within 3, 6 and 11 s, and wisps of a groom, among whose roots the comb goes.
+/// Forty curly hairs, combed within 3, 6 and 11 s, and wisps of a groom with the comb among their roots.
 pub fn table(out: &str, curves: &str) {
     let mut csv =
         "hair,seconds,rms_uN,rate_hz,substeps,late_ms,felt_1ms,felt_8ms,felt_25ms,simulated_1ms,simulated_8ms,simulated_25ms\n"

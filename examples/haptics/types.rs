@@ -1,4 +1,4 @@
-//! What a hand feels of each kind of hair: the same stroke through the same many strands of it.
+//! The force that a hand feels from each hair type: the same stroke through the same number of strands.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use superhelix::haptic::{ForceLaw, HapticOptions};
 use super::scene::{Rate, handed_over};
 use super::typed_hair::{SLOWER, hair, stroke_of};
 
-/// The force that holds the comb back, by type and law, along the stroke.
+/// The force on the comb against its motion, by type and law, along the stroke.
 pub fn table(out: &str, summary: &str) {
     let mut csv = "type,law,seconds,force_uN,along_uN\n".to_string();
     let mut means = "type,stiffness_1e-9Nm2,friction,curvature,mean_uN,peak_uN,explicit_mean_uN\n".to_string();

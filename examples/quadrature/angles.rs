@@ -1,15 +1,16 @@
 //! How far an element may turn for a rule of n points to integrate its inertia to a tolerance.
 //!
-//! The element's nine motions: translation of its left end (in lengths), rotation about it (rad), and its curvatures times its length
-//! (rad). Its 9 × 9 matrix of ∫ Xᵀ X ds, X = [I, −[ρ]×, J], holds everything that a step integrates along an element: inertia and drag, in the
-//! rows of translation the work of gravity and of a uniform wind, and with a point's springs in place of its mass Newton's matrix.
+//! The element has nine motions: translation of its left end (in lengths), rotation about it (rad), and its curvatures times its
+//! length (rad). Its 9 × 9 matrix of ∫ Xᵀ X ds, X = [I, −[ρ]×, J], contains everything that a step integrates along an element:
+//! inertia and drag; in the rows of translation the work of gravity and of a uniform wind; and, with a point's springs in place
+//! of its mass, Newton's matrix.
 
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::{Mat3, Vec3};
 use superhelix::internals::rod::kinematics::element_state;
 use superhelix::internals::rod::segment;
 
-/// Directions of the rotation vector: angles from the tangent (0: pure twist; a right angle: a plane arc), and round it.
+/// Directions of the rotation vector: angles from the tangent (0: pure twist; a right angle: a plane arc), and about it.
 const FROM_TANGENT: [f64; 9] = [0.0, 5.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0, 90.0];
 const ROUND: [f64; 3] = [0.0, 22.5, 45.0];
 
@@ -24,7 +25,7 @@ fn inertia(theta: Vec3<f64>, rule: &Rule) -> Inertia {
         let point = element.point(*s);
         let gradient = segment::chord_gradient(theta.scale(*s), element.kappa_squared * s * s, &point.c);
         let [x, y, z] = point.local.0;
-        // Columns of X: how the point moves for a unit of each motion.
+        // Columns of X: the point's displacement per unit of each motion.
         let mut columns = [[0.0; 3]; 9];
         for axis in 0..3 {
             columns[axis][axis] = 1.0;
@@ -40,11 +41,11 @@ fn inertia(theta: Vec3<f64>, rule: &Rule) -> Inertia {
     out
 }
 
-/// What rounding makes of an entry.
+/// Rounding error of an entry.
 const ROUNDING: f64 = 4e-16;
 
-/// The largest difference of an entry, relative to the geometric mean of the diagonal entries of its two motions: that of twist counts
-/// by itself, as small as it is.
+/// The largest difference of an entry, relative to the geometric mean of the diagonal entries of its two motions: so the small
+/// entry of twist counts by itself.
 fn difference(one: &Inertia, exact: &Inertia) -> f64 {
     let mut worst = 0.0_f64;
     for i in 0..9 {
@@ -67,7 +68,7 @@ fn directions() -> Vec<Vec3<f64>> {
     FROM_TANGENT.iter().flat_map(|from| ROUND.iter().map(move |round| turned(*from, *round))).collect()
 }
 
-/// What each of the rules errs by, in the worst direction, for an element that turns by `angle`.
+/// The error of each rule in the worst direction, for an element that turns by `angle`.
 pub fn errors(rules: &[Rule], angle: f64) -> Vec<f64> {
     let exact_rule = Rule::gauss_legendre(40 + (1.2 * angle) as usize);
     let mut worst = vec![0.0_f64; rules.len()];
@@ -81,14 +82,14 @@ pub fn errors(rules: &[Rule], angle: f64) -> Vec<f64> {
     worst
 }
 
-/// The largest turns, rad, up to which each rule errs by no more than 1e-2, 1e-3, … 1e-12; 0: none. Rules ascend.
+/// The largest turns, rad, up to which each rule is within 1e-2, 1e-3, … 1e-12; 0 for none. Rules ascend.
 ///
-/// Small angles: twist's inertia is as θ² times θ⁶ of a polynomial, so that n points err as θ to the power 2n − 6. Three err by 1/400 of it,
-/// always. Where rounding hides the error, that law goes on.
+/// At small angles the inertia of twist is θ² times θ⁶ of a polynomial, so the error of n points goes as θ to the power 2n − 6,
+/// and that of three is always 1/400. Where rounding hides the error, this law extrapolates it.
 pub fn largest_turns(rules: &[Rule]) -> Vec<[f64; 11]> {
     let mut curve: Vec<(f64, Vec<f64>)> = Vec::new();
     let mut angle = 5e-3;
-    // Until the largest rule errs by more than the loosest tolerance.
+    // Until the largest rule exceeds the loosest tolerance.
     while curve.last().is_none_or(|(_, errors)| *errors.last().expect("a rule") <= 1e-2) {
         curve.push((angle, errors(rules, angle)));
         angle *= if angle < 1.0 { 1.1 } else { 1.01 };

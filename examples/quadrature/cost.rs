@@ -1,15 +1,15 @@
-//! Steps to count the instructions of: strands whose elements turn by four fifths of a radian, swayed calmly.
+//! Steps for counting instructions: calmly swaying strands whose elements turn by four fifths of a radian.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::hair::natural_under_gravity_with;
 use superhelix::{Frame, Solver, SolverOptions, StepOptions, StrandDef};
 
-/// Elements a strand.
+/// Elements per strand.
 const ELEMENTS: usize = 10;
 /// Length of a strand, m.
 const LENGTH: f64 = 0.2;
 
-/// Takes eight strands through `steps` steps; gives points an element, Newton iterations a step and element-steps in all.
+/// Takes eight strands through `steps` steps; returns points per element, Newton iterations per step and total element-steps.
 pub fn run(quadrature_tolerance: f64, steps: u32) -> (u32, f64, f64) {
     let step = StepOptions { quadrature_tolerance, ..StepOptions::default() };
     let options = SolverOptions { step, ..SolverOptions::default() };

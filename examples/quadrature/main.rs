@@ -1,5 +1,6 @@
-//! What quadrature errs by: the largest turn of an element for each rule and tolerance (`angles`, the table in
-//! src/math/quadrature_limits.rs), and what a tolerance adds to the error of motions (`motions`). The tables of docs/theory/mathematics.md.
+//! Quadrature errors: the largest turn of an element for each rule and tolerance (`angles`, the table in
+//! src/math/quadrature_limits.rs), and what a tolerance adds to the error of motions (`motions`). The tables of
+//! docs/theory/mathematics.md.
 //!
 //! `cargo run --release --example quadrature -- angles docs/figures/quadrature_angles.csv`
 //! `cargo run --release --example quadrature -- motions docs/figures/quadrature_motions.csv` (a minute)
@@ -58,7 +59,7 @@ fn motions() -> String {
         for hair in [Hair::Straight, Hair::Wavy, Hair::Curly] {
             let truth = Truth::of(scene, hair, &walk);
             let length = scene.length(hair.length());
-            // Velocities are compared with a run as fine as the trajectory's, not extrapolated.
+            // Velocities are compared with a run as fine as the trajectory's, without extrapolation.
             let fine = reference::strand(scene, hair, &walk, reference::elements(hair), Freedoms::ALL);
             let fine = trajectories::exact(scene, &walk, &fine, 960);
             println!("{} {}: {} frames, {:?}", scene.name(), hair.name(), truth.frames, truth.uncertainty);

@@ -1,4 +1,4 @@
-//! What a quadrature tolerance adds to a motion's error, beside what the elements and steps err by anyway.
+//! What a quadrature tolerance adds to a motion's error, beside the error of the elements and steps.
 
 use nalgebra::Vector3;
 use superhelix::internals::math::quadrature::TIGHTEST;
@@ -8,23 +8,23 @@ use crate::path::{FRAMES, POINTS, Path};
 use crate::scene::{DURATION, GRAVITY, Scene};
 use crate::walk::Walk;
 
-/// Newton's tolerance, rad: what it leaves is far below what is measured.
+/// Newton's tolerance, rad: its error is far below the measured ones.
 const TOLERANCE: f64 = 1e-9;
 
 /// Points at which velocities are compared, root and tip included: off the borders of elements, and on them.
 const SAMPLES: usize = 41;
 
-/// A path, and the mean number of points an element over the steps.
+/// A path, and the mean number of points per element over the steps.
 pub struct Run {
     /// The path.
     pub path: Path,
-    /// Velocities of points equally far apart at every frame that ends a step, m/s.
+    /// Velocities of equally spaced points at every frame that ends a step, m/s.
     pub velocities: Vec<[Vector3<f64>; SAMPLES]>,
-    /// Points an element, mean.
+    /// Points per element, mean.
     pub points: f64,
 }
 
-/// A strand in `rate` steps a second with a quadrature tolerance.
+/// A strand in `rate` steps per second with a quadrature tolerance.
 pub fn run(scene: Scene, walk: &Walk, def: &StrandDef, rate: u32, quadrature_tolerance: f64) -> Run {
     let step = StepOptions { tolerance: TOLERANCE, max_iterations: 200, quadrature_tolerance, ..StepOptions::default() };
     let options = SolverOptions { gravity: Vector3::from(GRAVITY), step, ..SolverOptions::default() };
@@ -72,7 +72,7 @@ impl Run {
     }
 }
 
-/// The run that the others are compared with.
+/// The run to compare the others with.
 pub fn exact(scene: Scene, walk: &Walk, def: &StrandDef, rate: u32) -> Run {
     run(scene, walk, def, rate, TIGHTEST)
 }

@@ -1,8 +1,8 @@
-//! The strands that the study steps in both precisions.
+//! The strands that the comparison steps in both precisions.
 
 use superhelix::{Material, StrandDef};
 
-/// A strand to be cut into any number of elements.
+/// A strand that can be divided into any number of elements.
 #[derive(Debug, Clone, Copy)]
 pub struct Hair {
     /// Its name in tables.

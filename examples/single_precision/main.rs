@@ -1,8 +1,8 @@
-//! Where single precision stops being good enough: the same strands stepped in f64 and in f32, over the number of elements, stiffness,
-//! curl and step. The table and the figure of docs/notebook/lanes.md.
+//! Where single precision is no longer good enough: the same strands stepped in f64 and in f32, over the number of elements,
+//! stiffness, curl and step. The table and the figure of docs/notebook/lanes.md.
 //!
-//! What a motion makes of any small error is measured beside it: a second run in f64 whose stiffness is off by 2⁻²⁴ of itself, as if
-//! rounded once to f32, and whose first curvatures by 2⁻²⁴ of a radian a length.
+//! Beside it stands the motion's own growth of any small error: a second run in f64 whose stiffness differs by 2⁻²⁴ of itself, as
+//! if rounded once to f32, and whose first curvatures differ by 2⁻²⁴ of a radian per length.
 //!
 //! `cargo run --release --example single_precision -- docs/figures/single_precision.csv [study]`
 
@@ -44,7 +44,7 @@ impl Table {
         self.line(study, hair, elements, way, [apart32, sensitive], [&double, &single]);
     }
 
-    /// A strand at rest: how far it goes, in f32 and in f64.
+    /// A strand at rest: how far it moves, in f32 and in f64.
     fn rest(&mut self, hair: &Hair, elements: usize, rate: u32) {
         let way = Way { motion: &Motion::Rest, rate, seconds: 6.0, integrator: Integrator::SecondOrder };
         let def = hair.strand(elements, true);
@@ -56,7 +56,7 @@ impl Table {
         self.line("rest", hair, elements, &way, [gone32, gone64], [&double, &single]);
     }
 
-    /// A strand that nothing damps, let go: by how much of the fall its energy is off at the end, in f32 and in f64.
+    /// An undamped strand that is let go: the final error of its energy relative to the fall, in f32 and in f64.
     fn energy(&mut self, hair: &Hair, elements: usize, rate: u32) {
         let way = Way { motion: &Motion::Rest, rate, seconds: 1.0, integrator: Integrator::SecondOrder };
         let def = hair.strand(elements, false);

@@ -1,4 +1,4 @@
-//! What the head does.
+//! The motion of the head.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::Frame;

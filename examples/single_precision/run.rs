@@ -6,17 +6,17 @@ use superhelix::{Integrator, Precision, Solver, SolverOptions, StrandDef, Strand
 
 use crate::motion::Motion;
 
-/// Points that are compared, the root among them.
+/// Compared points, including the root.
 pub const POINTS: usize = 17;
-/// Times a second at which they are.
+/// Comparisons per second.
 const FRAMES: u32 = 30;
 
-/// How a strand is stepped.
+/// The stepping of a strand.
 #[derive(Debug, Clone, Copy)]
 pub struct Way<'a> {
-    /// What the head does.
+    /// The head's motion.
     pub motion: &'a Motion,
-    /// Steps a second: a multiple of 30.
+    /// Steps per second: a multiple of 30.
     pub rate: u32,
     /// Seconds simulated.
     pub seconds: f64,
@@ -24,7 +24,7 @@ pub struct Way<'a> {
     pub integrator: Integrator,
 }
 
-/// What came of a run.
+/// The result of a run.
 #[derive(Debug, Clone, Default)]
 pub struct Course {
     /// The points at every thirtieth of a second.
@@ -33,9 +33,9 @@ pub struct Course {
     pub energies: Vec<f64>,
     /// Mean iterations a step.
     pub iterations: f64,
-    /// Steps that did not converge, were taken in parts, were rolled back.
+    /// Steps that did not converge, were subdivided, were rolled back.
     pub failures: [u32; 3],
-    /// The largest rest that a step told, rad.
+    /// The largest residual of a step, rad.
     pub residual: f64,
 }
 
@@ -45,7 +45,7 @@ fn points(solver: &Solver, id: StrandId) -> [Vector3<f64>; POINTS] {
     points
 }
 
-/// Steps a strand. `settled`: from its rest, found in f64, in stillness; else from its natural shape.
+/// Steps a strand. `settled`: from its equilibrium, found in f64, at rest; otherwise from its natural shape.
 pub fn run(def: &StrandDef, way: &Way, precision: Precision, settled: bool) -> Course {
     let mut options = SolverOptions { gravity: Vector3::new(0.0, -9.81, 0.0), ..SolverOptions::default() };
     (options.step.integrator, options.step.precision) = (way.integrator, precision);
@@ -82,7 +82,7 @@ fn total(solver: &Solver, id: StrandId) -> f64 {
     energies.kinetic + energies.elastic + energies.gravity
 }
 
-/// The largest distance of any two like points at any two like times, and at the end.
+/// The largest distance of corresponding points at corresponding times, and at the end.
 pub fn apart(a: &Course, b: &Course) -> (f64, f64) {
     let distance =
         |x: &[Vector3<f64>; POINTS], y: &[Vector3<f64>; POINTS]| x.iter().zip(y).map(|(x, y)| (x - y).norm()).fold(0.0, f64::max);

@@ -26,12 +26,13 @@ impl Hair {
         ["straight", "wavy", "curly", "fuzzy"][self as usize]
     }
 
-    /// Length when not cut short, m: half of it for the type that makes twice the turns.
+    /// Length when not cut short, m: half for the type with twice the turns.
     pub fn length(self) -> f64 {
         if self == Hair::Fuzzy { 0.1 } else { 0.2 }
     }
 
-    /// Natural curvatures of the helix of the table's radius and step, exactly: κ1 = r/(r² + p²), κ0 = p/(r² + p²), p the step over 2π.
+    /// Natural curvatures of the helix with the table's radius and step, exactly: κ1 = r/(r² + p²), κ0 = p/(r² + p²), p the step
+    /// over 2π.
     pub fn natural(self) -> [f64; 3] {
         let (radius, step) = match self {
             Hair::Straight => return [0.0; 3],
@@ -44,7 +45,7 @@ impl Hair {
         [pitch / square, radius / square, 0.0]
     }
 
-    /// Section, stiffness and dissipation: γ = 10⁻¹⁰ kg·m³/s, drag of disciplined hair, ten times as much for the fuzzy.
+    /// Section, stiffness and dissipation: γ = 10⁻¹⁰ kg·m³/s, drag of disciplined hair, ten times as much for fuzzy hair.
     pub fn material(self) -> Material {
         let (radius, ellipticity, youngs_modulus, air_drag): (f64, f64, f64, f64) = match self {
             Hair::Straight => (50e-6, 1.0, 1e9, 5e-6),

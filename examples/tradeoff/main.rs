@@ -1,10 +1,10 @@
-//! What accuracy costs: errors against trajectories that are as good as exact, and processor time, over integrator, step, elements,
-//! iteration cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/notebook/tradeoff.md.
+//! The cost of accuracy: errors against nearly exact trajectories, and processor time, over integrator, step, elements, iteration
+//! cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/notebook/tradeoff.md.
 //!
-//! `cargo run --profile demo --example tradeoff -- sweep docs/figures 1` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
-//! (about a quarter of an hour of processor time; times are those of the thread, so that two threads may share it). `presets docs/figures 1` measures the
-//! presets anew. `check docs/figures` compares the trajectories with those of the reference integrator:
-//! `tradeoff_check.csv`. `table docs/figures` writes src/analysis/measured.rs from `tradeoff.csv`.
+//! `cargo run --profile demo --example tradeoff -- sweep docs/figures 1` measures everything: `tradeoff.csv` and
+//! `tradeoff_truth.csv` (about a quarter of an hour of processor time; times are those of the thread, so two threads may work on
+//! it). `presets docs/figures 1` measures the presets again. `check docs/figures` compares the trajectories with those of the
+//! reference integrator: `tradeoff_check.csv`. `table docs/figures` writes src/analysis/measured.rs from `tradeoff.csv`.
 
 mod hair;
 mod measure;
@@ -40,7 +40,7 @@ fn write(directory: &FilePath, name: &str, text: &str) {
     println!("written: {}", path.display());
 }
 
-/// Three digits are what such numbers are good for.
+/// Three digits are significant.
 fn short(value: f64) -> String {
     format!("{value:.2e}").replace("e0", "")
 }
@@ -99,7 +99,7 @@ fn price(scene: Scene, hair: Hair, walk: &Walk, wanted: fn(&Setting) -> bool) ->
     (rows, row)
 }
 
-/// All cases in their order, several threads at them.
+/// All cases in their order, on several threads.
 fn price_all(threads: usize, wanted: fn(&Setting) -> bool) -> Vec<(Scene, Hair, String, String)> {
     let walk = Walk::read();
     let cases: Vec<_> = cases().collect();
@@ -134,7 +134,7 @@ fn sweep(directory: &FilePath, threads: usize) {
     write(directory, "tradeoff_truth.csv", &truths);
 }
 
-/// The presets alone, in place of those in `tradeoff.csv`.
+/// Only the presets, replacing those in `tradeoff.csv`.
 fn presets(directory: &FilePath, threads: usize) {
     let path = directory.join("tradeoff.csv");
     let old = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -148,7 +148,7 @@ fn presets(directory: &FilePath, threads: usize) {
     write(directory, "tradeoff.csv", &csv);
 }
 
-/// The reference integrator beside the trajectories that stand for it, with as many elements as dense matrices allow.
+/// The reference integrator beside the trajectories that replace it, with as many elements as dense matrices permit.
 fn check(directory: &FilePath) {
     let walk = Walk::read();
     let mut csv = String::from("scene,hair,elements,tolerance,tip,tip_most,shape,reference_s,extrapolated_s\n");

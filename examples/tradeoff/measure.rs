@@ -1,4 +1,4 @@
-//! One setting in one scene: how far off, and what it costs.
+//! One setting in one scene: its error and its cost.
 
 use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
@@ -10,33 +10,33 @@ use super::scene::{DURATION, GRAVITY, Scene};
 use super::setting::Setting;
 use super::walk::Walk;
 
-/// Strands that are stepped side by side, on one thread, for what a call costs to be shared as in a groom: one where a step costs enough
-/// itself.
+/// Number of strands stepped side by side, on one thread, so that they share the cost of a call as in a groom: one where a step
+/// itself is costly.
 fn strands(elements: u32) -> usize {
     if elements >= 12 { 1 } else { 3 }
 }
 
-/// A step's time is the least of this many runs: what else the machine did to its caches is in the others.
+/// A step's time is the least of this many runs: the others include effects of other programs on the caches.
 const RUNS: usize = 5;
-/// Runs are not repeated beyond this many seconds: long ones average by themselves.
+/// Runs stop repeating after this many seconds: long ones average by themselves.
 const PATIENCE: f64 = 0.05;
 
-/// What came out.
+/// The result.
 #[derive(Debug, Clone, Copy)]
 pub struct Measured {
-    /// How far off; `None`: blown up.
+    /// The error; `None` if it blew up.
     pub error: Option<Distance>,
     /// When it blew up, s.
     pub blown_up: Option<f64>,
-    /// Processor time, µs a strand and simulated second.
+    /// Processor time, µs per strand and simulated second.
     pub cost: f64,
-    /// Newton iterations a step.
+    /// Newton iterations per step.
     pub iterations: f64,
-    /// Share of the steps that did not reach the tolerance.
+    /// Fraction of the steps that did not reach the tolerance.
     pub unconverged: f64,
 }
 
-/// One run: its path, the times of its steps, s, iterations and unconverged strand-steps in all, and when it blew up.
+/// One run: its path, the times of its steps, s, total iterations and unconverged strand-steps, and when it blew up.
 struct Run {
     path: Path,
     seconds: Vec<f64>,
@@ -45,7 +45,7 @@ struct Run {
     blown_up: Option<f64>,
 }
 
-/// What this thread has had of a processor, s: what others had of it is not in it.
+/// Processor time of this thread, s.
 fn processor_time() -> f64 {
     let now = clock_gettime(ClockId::ThreadCPUTime);
     now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
@@ -107,7 +107,7 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
     all
 }
 
-/// Measures a setting; `def` is the strand that it starts with.
+/// Measures a setting; `def` is the initial strand.
 pub fn measure(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef, truth: &Truth) -> Measured {
     let began = processor_time();
     let mut first = run(scene, walk, setting, def);

@@ -1,23 +1,23 @@
-//! What is compared: eight points of the strand, root left out and tip included, at the frames of a film.
+//! The compared quantities: eight points of the strand, without the root and with the tip, at the frames of a film.
 
 use nalgebra::Vector3;
 
-/// Frames a second.
+/// Frames per second.
 pub const FRAMES: u32 = 24;
-/// Points of the strand, equally far apart; the last is the tip.
+/// Points of the strand, equally spaced; the last is the tip.
 pub const POINTS: usize = 8;
 
-/// Where the points are at one time, m.
+/// Positions of the points at one time, m.
 pub type Shape = [Vector3<f64>; POINTS];
 
-/// Where the points are at frames 1, 2, …; the strand as it starts is left out. A gap: no step ends at that frame.
+/// Positions of the points at frames 1, 2, …, without the initial strand. `None` where no step ends at the frame.
 #[derive(Debug, Clone, Default)]
 pub struct Path {
-    /// A shape a frame.
+    /// One shape per frame.
     pub frames: Vec<Option<Shape>>,
 }
 
-/// How far one path is from another, in units of the strand's length.
+/// Distance of two paths, relative to the strand's length.
 #[derive(Debug, Clone, Copy)]
 pub struct Distance {
     /// Root mean square over frames, the tip alone.
@@ -29,7 +29,7 @@ pub struct Distance {
 }
 
 impl Path {
-    /// How far it is from `other` over the first `frames` frames that both have.
+    /// Its distance from `other` over the first `frames` frames that both have.
     pub fn distance(&self, other: &Path, frames: usize, length: f64) -> Distance {
         let (mut tip, mut most, mut shape, mut count) = (0.0, 0.0_f64, 0.0, 0);
         for (one, two) in self.frames.iter().zip(&other.frames).take(frames) {

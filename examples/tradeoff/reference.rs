@@ -1,7 +1,7 @@
-//! The trajectories to compare with. The root is followed as it moves, not from frame to frame.
+//! The trajectories to compare with. The root follows its continuous motion, not frames.
 //!
-//! Second order at [`RATE`] and twice that, extrapolated, follows the same equations as the reference integrator: [`Truth::of`] is
-//! made so, since dense matrices of 64 elements are out of reach where hair whips about. [`radau`] is the integrator itself.
+//! Second order at [`RATE`] and twice that, extrapolated, follows the same equations as the reference integrator. [`Truth::of`]
+//! uses this, since dense matrices of 64 elements are out of reach where hair whips about. [`radau`] is the integrator itself.
 
 use nalgebra::Vector3;
 use superhelix::editing::EquilibriumOptions;
@@ -20,18 +20,18 @@ use super::path::{Distance, FRAMES, POINTS, Path, Shape};
 use super::scene::{DURATION, GRAVITY, Scene};
 use super::walk::Walk;
 
-/// Steps a second of the coarser of two runs.
+/// Steps per second of the coarser of two runs.
 pub const RATE: u32 = 1920;
-/// What its integrals along an element may err by.
+/// Tolerance of its integrals along an element.
 const QUADRATURE: f64 = 1e-10;
-/// Where two trajectories of one motion are this far apart, in lengths, the motion has forgotten how it began.
+/// When two trajectories of one motion are this far apart, in lengths, the motion has lost its initial state.
 const PARTED: f64 = 0.02;
 
-/// Elements of the trajectories that settings are compared with; half as many again say what they are good for.
+/// Elements of the trajectories for comparison; half as many again show their accuracy.
 pub fn elements(hair: Hair) -> usize {
     match hair {
         Hair::Straight | Hair::Wavy => 64,
-        // Coils need more for the same.
+        // Coils need more.
         Hair::Curly | Hair::Fuzzy => 128,
     }
 }
@@ -51,7 +51,7 @@ pub fn strand(scene: Scene, hair: Hair, walk: &Walk, elements: usize, freedoms: 
     def
 }
 
-/// The path of a strand of `elements` elements, a multiple of eight, in `rate` calls a second, a multiple of 24.
+/// The path of a strand of `elements` elements, a multiple of eight, in `rate` calls per second, a multiple of 24.
 fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &StepOptions, rate: u32) -> Path {
     let rules = Rules::new(options.quadrature_tolerance);
     let def = strand(scene, hair, walk, elements, Freedoms::ALL);
@@ -82,7 +82,7 @@ fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &Step
     path
 }
 
-/// By the reference integrator, to `tolerance` of the length a second.
+/// By the reference integrator, to `tolerance` of the length per second.
 pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: f64) -> Path {
     let options = StepOptions {
         integrator: Integrator::Reference,
@@ -93,7 +93,7 @@ pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: 
     follow(scene, hair, walk, elements, &options, FRAMES)
 }
 
-/// How many elements the reference integrator is asked to bear: as many as the trajectories have wherever that takes it minutes.
+/// Numbers of elements for the reference integrator: as many as the trajectories have if that takes minutes.
 pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
     let cheap = matches!(scene, Scene::CalmSway | Scene::StiffBristle)
         || hair == Hair::Fuzzy
@@ -101,7 +101,7 @@ pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
     if cheap { vec![8, 64] } else { vec![8] }
 }
 
-/// By second order at `rate` and at twice as many steps a second, extrapolated; and how far the two are apart in lengths.
+/// By second order at `rate` and at twice as many steps per second, extrapolated; and the distance of the two in lengths.
 pub fn extrapolated(scene: Scene, hair: Hair, walk: &Walk, elements: usize, rate: u32) -> (Path, Distance) {
     let options =
         StepOptions { tolerance: 1e-8, max_iterations: 200, quadrature_tolerance: QUADRATURE, ..StepOptions::default() };
@@ -116,15 +116,15 @@ pub fn extrapolated(scene: Scene, hair: Hair, walk: &Walk, elements: usize, rate
     (Path { frames: frames.map(extrapolate).collect() }, apart)
 }
 
-/// What settings are compared with.
+/// The trajectory to compare settings with.
 pub struct Truth {
     /// The path.
     pub path: Path,
-    /// Frames over which it can be trusted: until the run with more elements parts from it.
+    /// Frames over which it can be trusted: until the run with more elements separates from it.
     pub frames: usize,
-    /// How far it is from the run with more elements over these frames.
+    /// Its distance from the run with more elements over these frames.
     pub uncertainty: Distance,
-    /// How far its two runs are apart over all frames, before they are extrapolated.
+    /// The distance of its two runs over all frames, before extrapolation.
     pub steps: Distance,
 }
 

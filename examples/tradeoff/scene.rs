@@ -1,4 +1,4 @@
-//! The six scenes: where the follicle is at any time, y up, and how the wind blows.
+//! The six scenes: the pose of the follicle at any time, y up, and the wind.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -40,7 +40,7 @@ impl Scene {
         ["calm_sway", "walk", "head_shake", "curly_bounce", "stiff_bristle", "wind_gust"][self as usize]
     }
 
-    /// The strand's length, m, of one that is `long` elsewhere.
+    /// The strand's length, m, for one that is `long` elsewhere.
     pub fn length(self, long: f64) -> f64 {
         if self == Scene::StiffBristle { 0.03 } else { long }
     }
@@ -59,8 +59,8 @@ impl Scene {
         }
     }
 
-    /// Pose of the follicle: 9 cm to the side of the head's axis. The strand leaves outwards and half a radian down; straight down where
-    /// it is to hang; level where it is a bristle.
+    /// Pose of the follicle: 9 cm to the side of the head's axis. The strand leaves outwards and half a radian down; straight
+    /// down in scenes where it hangs; horizontally as a bristle.
     pub fn root(self, walk: &Walk, t: f64) -> Frame {
         let down = match self {
             Scene::CalmSway | Scene::WindGust => FRAC_PI_2,
@@ -82,7 +82,8 @@ impl Scene {
         ((after.origin - before.origin) / (2.0 * h), (after.rotation * before.rotation.inverse()).scaled_axis() / (2.0 * h))
     }
 
-    /// The wind over the sixth of a second that begins at `t`, m/s. It changes at sixths of a second only: every step of the table ends there.
+    /// The wind over the sixth of a second from `t` on, m/s. It changes only at sixths of a second, where steps of every rate
+    /// end.
     pub fn wind(self, t: f64) -> Vector3<f64> {
         const SPEEDS: [f64; 12] = [0.0, 2.0, 5.0, 7.0, 4.0, 6.0, 3.0, 0.5, 0.0, 4.0, 6.0, 1.0];
         if self != Scene::WindGust {

@@ -1,36 +1,37 @@
-//! The settings that are tried.
+//! The settings to measure.
 
 use superhelix::settings::{HairShape, Preset};
 use superhelix::{Freedoms, Integrator, StepOptions};
 
-/// Steps a second. A sixth of a second is a whole number of every one of them, so that wind may change there; 960 stands for a thousand.
+/// Steps per second. A sixth of a second is a whole number of steps at each rate, so that wind may change there; 960 represents a
+/// thousand.
 pub const RATES: [u32; 7] = [24, 30, 60, 120, 240, 480, 960];
-/// Elements a strand.
+/// Elements per strand.
 pub const ELEMENTS: [u32; 9] = [1, 2, 3, 5, 8, 12, 20, 32, 50];
 
-/// Newton's tolerance where nothing else is said, rad.
+/// Newton's default tolerance, rad.
 pub const TOLERANCE: f64 = 1e-3;
 
-/// One setting of all knobs.
+/// One setting of all options.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting {
-    /// The preset that it is, if any.
+    /// Its preset, if any.
     pub preset: Option<Preset>,
     /// Which integrator.
     pub integrator: Integrator,
-    /// Steps a second.
+    /// Steps per second.
     pub rate: u32,
-    /// Elements a strand.
+    /// Elements per strand.
     pub elements: u32,
-    /// Newton iterations a step at most.
+    /// Largest number of Newton iterations per step.
     pub cap: u32,
     /// Newton's tolerance, rad.
     pub tolerance: f64,
     /// How often a step that does not converge, or errs by more than `error_tolerance`, is halved.
     pub subdivisions: u32,
-    /// The error that a step may add, in lengths; 0: not looked at.
+    /// The permitted error of a step, in lengths; 0 for unchecked.
     pub error_tolerance: f64,
-    /// What integrals along an element may err by.
+    /// Tolerance of integrals along an element.
     pub quadrature_tolerance: f64,
     /// Curvatures that may change.
     pub freedoms: Freedoms,
@@ -63,8 +64,8 @@ impl Setting {
         }
     }
 
-    /// Everything that is tried on a type of hair. The whole product of integrator, steps and elements; caps, tolerances, freedoms and
-    /// adaptive steps on slices of it, in second order; the presets.
+    /// Every setting to measure on a type of hair: the whole product of integrator, steps and elements; caps, tolerances,
+    /// freedoms and adaptive steps on slices of it, in second order; the presets.
     pub fn all(hair: &HairShape) -> Vec<Self> {
         let mut settings = Vec::new();
         for integrator in [Integrator::LinearlyImplicit, Integrator::ImplicitEuler, Integrator::SecondOrder] {
@@ -75,7 +76,7 @@ impl Setting {
         for rate in [24, 30, 60, 240] {
             for elements in [3, 5, 8, 12, 20] {
                 let plain = Self::plain(Integrator::SecondOrder, rate, elements);
-                // A cap that saves work: what it leaves undone is left, not taken in parts.
+                // A cap that saves work: unfinished steps stay unfinished, without subdivision.
                 settings.extend([1, 2, 4, 8].map(|cap| Self { cap, subdivisions: 0, ..plain }));
                 let bending = Freedoms::BEND1.union(Freedoms::BEND2);
                 settings.extend([Freedoms::BEND1, bending].map(|freedoms| Self { freedoms, ..plain }));

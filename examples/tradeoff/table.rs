@@ -1,4 +1,4 @@
-//! src/analysis/measured.rs from tradeoff.csv.
+//! Writes src/analysis/measured.rs from tradeoff.csv.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -10,7 +10,7 @@ use crate::hair::Hair;
 use crate::scene::Scene;
 use crate::setting::{ELEMENTS, RATES, TOLERANCE};
 
-/// What one row is about, and its error and cost as they stand in the csv.
+/// The subject of a row, and its error and cost as written in the csv.
 type Prices = HashMap<(String, String, String), (String, String)>;
 
 /// Rows of second order without caps or frozen freedoms, by "rate elements", and the presets, by name.

@@ -4,12 +4,12 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use superhelix::Frame;
 use superhelix::io::Motion;
 
-/// Where in the recording the scene begins, s.
+/// The scene's start in the recording, s.
 const START: f64 = 1.0;
-/// Width of the Gaussian that smooths it, s: it leaves the walk as it is and takes the capture's noise, whose accelerations no frame
-/// sees. The recording itself has a jump of its acceleration at each sample, which the reference would have to stop at.
+/// Width of the Gaussian that smooths it, s: it preserves the walk and removes the capture's noise, whose accelerations no frame
+/// resolves. The recording itself has a jump of its acceleration at each sample, where the reference would have to stop.
 const WIDTH: f64 = 0.015;
-/// Samples further away than this many widths count for less than rounding.
+/// Samples beyond this many widths count for less than rounding.
 const REACH: f64 = 8.5;
 
 /// A head that walks.
@@ -35,7 +35,7 @@ impl Walk {
             let weight = (-0.5 * ((time - middle) / WIDTH).powi(2)).exp();
             total += weight;
             origin += frame.origin * weight;
-            // Neighbouring quaternions lie on one side.
+            // Neighbouring quaternions are on the same side.
             rotation += frame.rotation.quaternion() * weight;
         }
         Frame { origin: origin / total, rotation: UnitQuaternion::new_normalize(rotation) }

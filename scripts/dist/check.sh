@@ -52,7 +52,7 @@ for file in "$archive/LICENSE-MIT" "$archive/LICENSE-APACHE" "$licenses/third_pa
   "$docs/README.md" "$docs/CHANGELOG.md" "$docs/docs/reference/overview.md"; do
   [ -s "$file" ] || fail "the archive lacks ${file#"$archive/"}"
 done
-# What the bill lists has its licence.
+# Everything in the bill has its licence.
 "$python" - "$docs/superhelix.cdx.json" "$licenses/third_party.txt" <<'PYTHON'
 import json, sys
 bill, texts = json.load(open(sys.argv[1])), open(sys.argv[2], encoding="utf-8").read()

@@ -15,7 +15,7 @@ NAME = re.compile(r"\b(?:shx_[a-z0-9_]+|SHX_[A-Z0-9_]+)\b")
 
 
 class Reference:
-    """What the header declares, and where the site has it."""
+    """The header's declarations, and their places on the site."""
 
     def __init__(self) -> None:
         self.api: dict[str, list[Item]] = json.loads((ROOT / "bindings" / "api.json").read_text(encoding="utf-8"))
@@ -30,7 +30,7 @@ class Reference:
         self.sections += sorted(known - set(self.sections))
 
     def text(self, doc: str, here: str) -> str:
-        """A comment as Markdown: names become links, everything else stays as it is."""
+        """A comment as Markdown: names become links, everything else stays the same."""
 
         def name(found: re.Match[str]) -> str:
             place = self.places.get(found[0])
@@ -73,7 +73,7 @@ class Reference:
         return "\n".join(lines).rstrip() + "\n"
 
     def of(self, kind: str, section: str) -> Iterable[Item]:
-        """What a section has of a kind."""
+        """The entries of one type in a section."""
         return (item for item in self.api[kind] if item["section"] == section)
 
     def heading(self, item: Item, here: str) -> list[str]:

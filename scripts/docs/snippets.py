@@ -90,7 +90,7 @@ class Tools:
 
 @dataclass
 class Page:
-    """What came of a page."""
+    """The result of a page."""
 
     path: Path
     failures: list[str] = field(default_factory=list)

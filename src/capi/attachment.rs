@@ -19,12 +19,12 @@ unsafe fn attached<'a>(attachment: *const shx_attachment) -> Result<&'a Attachme
     attachment.map(|attachment| &attachment.0).ok_or_else(|| Error::NullArgument { argument: "attachment".into() })
 }
 
-/// The engine's error with the names of this call's arguments.
+/// The engine's error, with the names of this call's arguments.
 fn in_words_of_c(error: Error) -> Error {
     error.renamed("strands[", "strand_ids[").renamed("bodies[", "body_ids[").renamed("constraints[", "constraint_ids[")
 }
 
-/// Names the arrays of ids as the call does.
+/// Renames the arrays of ids to those of the call.
 fn named(error: Error, ids: &str, count: &str) -> Error {
     match error {
         Error::InvalidArgument { argument, value, expected } if argument == "count" => {

@@ -1,4 +1,4 @@
-//! Bodies: what strands are kept out of. The host moves them, and reads what strands do to them.
+//! Bodies, which strands stay outside of. The host moves them, and reads the forces of strands on them.
 
 use super::body_def::{points, shx_body_def};
 use super::buffers::{FRAME_FORMATS, Place, Places, Writer, array, body_ids, each, frames_reader};
@@ -12,7 +12,7 @@ use crate::math::frame::Frame;
 use crate::memory;
 use crate::solver::id::BodyId;
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 fn in_words_of_c(error: Error) -> Error {
     let fields = [("friction", "friction_scale"), ("viscous_friction", "viscous_friction_scale")];
     error.renamed("bodies", "defs").with_fields(&fields)

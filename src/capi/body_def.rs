@@ -1,4 +1,4 @@
-//! What a body is made from.
+//! Definitions of bodies.
 
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
@@ -19,7 +19,7 @@ use crate::memory;
 use crate::solver::Solver;
 use crate::solver::id::BodyId;
 
-/// Bytes that a mesh takes for a triangle or a vertex while it is made, at most.
+/// An upper bound on the bytes per triangle or vertex of a mesh during its creation.
 const BYTES_OF_A_TRIANGLE: usize = 1024;
 
 /// A sphere at the body's origin: radius.
@@ -262,6 +262,6 @@ impl shx_body_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_body_def_init(def: *mut shx_body_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_body_def_init", "def", def, size) }
 }

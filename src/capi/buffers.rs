@@ -1,4 +1,4 @@
-//! The caller's memory: arrays, strided inputs and outputs. All are checked as a whole before anything is read or written.
+//! The caller's memory: arrays, strided inputs and outputs, checked completely before anything is read or written.
 
 use std::ffi::c_void;
 
@@ -38,7 +38,7 @@ pub(crate) unsafe fn array<'a, T>(argument: &str, count_argument: &str, data: *c
     if count == 0 {
         return Ok(&[]);
     }
-    // SAFETY: not null, aligned, of a possible size, and the caller says that the items are there.
+    // SAFETY: not null, aligned, of a possible size, and the caller guarantees that the items are there.
     Ok(unsafe { std::slice::from_raw_parts(data, count) })
 }
 
@@ -108,7 +108,7 @@ pub(crate) unsafe fn frames_reader(frames: *const shx_input, count: usize) -> Re
     Ok(reader)
 }
 
-/// Something of each of the caller's ids; an error says which of them it is about.
+/// A property of each of the caller's ids; an error names the id.
 pub(crate) fn each<I: Copy, T>(ids: &[I], item: impl Fn(I) -> Result<T>) -> Result<Vec<T>> {
     let mut items = memory::list(ids.len())?;
     for index in 0..ids.len() {
@@ -117,7 +117,7 @@ pub(crate) fn each<I: Copy, T>(ids: &[I], item: impl Fn(I) -> Result<T>) -> Resu
     Ok(items)
 }
 
-/// The same of one of them.
+/// The same for one of them.
 pub(crate) fn of_one<I: Copy, T>(ids: &[I], index: usize, item: &impl Fn(I) -> Result<T>) -> Result<T> {
     item(ids[index]).map_err(|error| match error {
         Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
@@ -125,7 +125,7 @@ pub(crate) fn of_one<I: Copy, T>(ids: &[I], index: usize, item: &impl Fn(I) -> R
     })
 }
 
-/// Where a function leaves one value; checked at once, written when all went well.
+/// The destination of one value: checked at once, written on success.
 pub(crate) struct Place<T>(*mut T);
 
 impl<T> Place<T> {
@@ -145,17 +145,17 @@ impl<T> Place<T> {
     }
 }
 
-/// Room for a list of values.
+/// The destination of a list of values.
 pub(crate) struct Places<T> {
     argument: &'static str,
     pointer: *mut T,
     capacity: usize,
-    /// What an error calls the values.
+    /// The name of the values in errors.
     unit: &'static str,
 }
 
 impl Places<u8> {
-    /// Room for an image, or nothing when the pointer is null and the capacity 0: the host asks for the size.
+    /// The destination of an image, or `None` for a null pointer and capacity 0: the host asks for the size.
     ///
     /// # Safety
     /// `pointer` is null or points to room for `capacity` bytes until `write`.
@@ -177,7 +177,7 @@ impl<T: Copy> Places<T> {
         Ok(Self { argument, pointer, capacity, unit: "items" })
     }
 
-    /// [`Places::new`], or nothing when the pointer is null: the host does not want these.
+    /// [`Places::new`], or `None` for a null pointer: the host does not want these.
     ///
     /// # Safety
     /// As [`Places::new`].
@@ -202,7 +202,7 @@ impl<T: Copy> Places<T> {
         Ok(())
     }
 
-    /// Writes what an iterator gives, without a list between.
+    /// Writes an iterator's values directly.
     pub(crate) fn write_all(self, values: impl ExactSizeIterator<Item = T>) -> Result<()> {
         self.check_room(values.len())?;
         for (index, value) in values.enumerate().take(self.capacity) {
@@ -222,7 +222,7 @@ impl<T: Copy> Places<T> {
     }
 }
 
-/// Room for plain items, a stride apart; bytes between them are left alone.
+/// The destination of plain items, a stride apart; bytes between them stay untouched.
 pub(crate) struct Strided<T> {
     argument: &'static str,
     pointer: *mut T,
@@ -294,7 +294,7 @@ fn format_name(format: u32) -> &'static str {
     }
 }
 
-/// The checks that inputs and outputs share; gives the stride in bytes.
+/// The common checks of inputs and outputs; returns the stride in bytes.
 fn check_view(
     argument: &str,
     data: *const c_void,
@@ -392,7 +392,7 @@ pub(crate) const PLACE_FORMATS: &[u32] =
 /// Formats of frames: whole, or the quaternion alone.
 pub(crate) const FRAME_FORMATS: &[u32] = &[SHX_FORMAT_FRAME, SHX_FORMAT_F32X4, SHX_FORMAT_F64X4];
 
-/// A checked strided output with room for all that will be written.
+/// A checked strided output with room for everything to be written.
 pub(crate) struct Writer {
     data: *mut u8,
     stride: usize,
@@ -401,7 +401,7 @@ pub(crate) struct Writer {
 }
 
 impl Writer {
-    /// Nothing when `output` is null: the host does not want these.
+    /// `None` if `output` is null: the host does not want these.
     ///
     /// # Safety
     /// `output` is null or points to a shx_output whose memory is there, and is the caller's, while this lives.
@@ -423,7 +423,7 @@ impl Writer {
         Ok(Some(Self { data: output.data.cast(), stride, needed, format: output.format }))
     }
 
-    /// [`Writer::optional`] for an output that must be there.
+    /// [`Writer::optional`] for a required output.
     ///
     /// # Safety
     /// The same.
@@ -463,7 +463,7 @@ impl Writer {
         self.pose(index, frame.origin.into(), frame.rotation_xyzw());
     }
 
-    /// The same of an origin and a quaternion x, y, z, w.
+    /// The same for an origin and a quaternion x, y, z, w.
     pub(crate) fn pose(&self, index: usize, origin: [f64; 3], [i, j, k, w]: [f64; 4]) {
         if self.format == SHX_FORMAT_FRAME {
             let [x, y, z] = origin;
@@ -487,7 +487,7 @@ impl Writer {
         }
     }
 
-    /// Writes `count` items of `WIDTH` floats from `first` on: `item(k)` is the kth of them. The quick way for many.
+    /// Writes `count` items of `WIDTH` floats from `first` on: `item(k)` is the kth of them. Fast for many items.
     #[inline(always)]
     pub(crate) fn singles<const WIDTH: usize>(&self, first: usize, count: usize, item: impl Fn(usize) -> [f32; WIDTH]) {
         assert!(self.is_single() && self.width() == WIDTH);

@@ -1,4 +1,4 @@
-//! Hard constraints: pins, clamps, ties and rings.
+//! Bilateral constraints: pins, clamps, ties and rings.
 
 use std::mem::{offset_of, size_of};
 
@@ -112,7 +112,7 @@ const _: () = {
 };
 
 impl shx_constraint_def {
-    /// The engine's own definition; numbers and strands are looked at where it is added.
+    /// The engine's own definition; numbers and strands are checked where it is added.
     fn definition(&self, argument: &str) -> Result<ConstraintDef> {
         let hold = match self.kind {
             SHX_CONSTRAINT_POINT => Hold::Point,
@@ -166,11 +166,11 @@ impl From<&ConstraintState> for shx_constraint_state {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_constraint_def_init(def: *mut shx_constraint_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_constraint_def_init", "def", def, size) }
 }
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 fn in_words_of_c(error: Error) -> Error {
     error.renamed("constraints", "defs").renamed_in("friction.", "friction_").with_fields(&[("other", "other_strand")])
 }

@@ -1,4 +1,4 @@
-//! How contact is answered, and what strands are to it.
+//! Contact options, and contact parameters of strands.
 
 use std::mem::{offset_of, size_of};
 
@@ -125,7 +125,7 @@ impl shx_contact_options {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_contact_options_init(options: *mut shx_contact_options, size: usize) -> shx_result {
-    // SAFETY: the caller says that options holds size bytes.
+    // SAFETY: the caller guarantees that options holds size bytes.
     unsafe { initialise("shx_contact_options_init", "options", options, size) }
 }
 
@@ -257,7 +257,7 @@ impl shx_strand_contact {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_strand_contact_init(contact: *mut shx_strand_contact, size: usize) -> shx_result {
-    // SAFETY: the caller says that contact holds size bytes.
+    // SAFETY: the caller guarantees that contact holds size bytes.
     unsafe { initialise("shx_strand_contact_init", "contact", contact, size) }
 }
 

@@ -1,4 +1,4 @@
-//! Contacts that begin and end, in a buffer that the host drains.
+//! Contact begin and end events, in a buffer that the host drains.
 
 use std::mem::{offset_of, size_of};
 

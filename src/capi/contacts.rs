@@ -1,4 +1,4 @@
-//! The list of contacts: where something met strands at the end of the last substep.
+//! The list of contacts at the end of the last substep.
 
 use std::mem::{offset_of, size_of};
 

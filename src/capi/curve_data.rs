@@ -1,4 +1,4 @@
-//! All that groom files may say beside the points: out of curves, and into files.
+//! Optional data of groom files beside the points: read from curves, written to files.
 
 use std::ffi::c_char;
 use std::mem::size_of;
@@ -119,7 +119,7 @@ const _: () = {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_data_init(data: *mut shx_curve_data, size: usize) -> shx_result {
-    // SAFETY: the caller says that data holds size bytes.
+    // SAFETY: the caller guarantees that data holds size bytes.
     unsafe { initialise("shx_curve_data_init", "data", data, size) }
 }
 
@@ -141,7 +141,7 @@ pub(super) fn narrowed(argument: &str, reader: &Reader) -> Result<Vec<[f32; 3]>>
 /// # Safety
 /// `data` is null or points to a structure of the size that it states, and all that it points to is there.
 pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, Option<TfxVersion>)> {
-    // SAFETY: as the caller says, here and below.
+    // SAFETY: as the caller guarantees, here and below.
     let data = unsafe { read_versioned("data", data)? };
     if data.reserved0 != 0 {
         return Err(Error::invalid("data.reserved0", data.reserved0, "0"));
@@ -182,7 +182,7 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
     /// # Safety
     /// `data` is null or points to `count` items.
     unsafe fn optional<T: Copy>(argument: &str, data: *const T, count: usize) -> Result<Option<Vec<T>>> {
-        // SAFETY: as the caller says.
+        // SAFETY: as the caller guarantees.
         if data.is_null() { Ok(None) } else { Ok(Some(unsafe { array(argument, "data.strand_count", data, count)? }.to_vec())) }
     }
     // SAFETY: the same.

@@ -1,4 +1,4 @@
-//! Groom files in, cache frames out.
+//! Reads groom files, writes cache frames.
 
 use std::ffi::{CStr, OsStr, c_char};
 use std::path::Path;

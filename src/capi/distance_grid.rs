@@ -1,4 +1,4 @@
-//! Meshes baked into signed distance grids.
+//! Bakes meshes into signed distance grids.
 
 use std::ffi::c_void;
 use std::mem::size_of;
@@ -64,7 +64,7 @@ const _: () = {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_distance_grid_def_init(def: *mut shx_distance_grid_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_distance_grid_def_init", "def", def, size) }
 }
 

@@ -47,7 +47,7 @@ pub const SHX_ERROR_INTERNAL: i32 = -100;
 /// state. It accepts no call but shx_solver_destroy.
 pub const SHX_ERROR_POISONED: i32 = -101;
 
-/// Bytes kept of an error's text, the closing zero included.
+/// Capacity of an error's text in bytes, including the closing zero.
 const CAPACITY: usize = 1024;
 
 /// A text in a buffer without a destructor: a destructor in thread-local storage would pin the library after
@@ -74,7 +74,7 @@ impl LastError {
     }
 }
 
-/// Formats into the buffer without allocating: it must work when memory is what ran out.
+/// Formats into the buffer without allocating, so that it works when memory has run out.
 struct Appender<'a>(&'a LastError);
 
 impl Write for Appender<'_> {
@@ -107,11 +107,11 @@ pub(crate) fn code(error: &Error) -> shx_result {
     }
 }
 
-/// Keeps the error's text for this thread and gives its code.
+/// Stores the error's text for this thread and returns its code.
 pub(crate) fn remember(function: &str, error: &Error) -> shx_result {
     LAST_ERROR.with(|last| {
         last.length.set(0);
-        // The appender never fails: what does not fit is cut.
+        // The appender never fails: it truncates.
         let _ = write!(Appender(last), "{function}: {error}");
         last.text[last.length.get()].set(0);
     });

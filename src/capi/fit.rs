@@ -1,4 +1,4 @@
-//! Strands from polylines, and natural shapes that hold them up.
+//! Fits strands to polylines, and finds natural shapes that hold them up.
 
 use std::mem::{offset_of, size_of};
 
@@ -57,7 +57,7 @@ const _: () = assert!(size_of::<shx_polyline_fit>() == 88 && offset_of!(shx_poly
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_polyline_fit_init(fit: *mut shx_polyline_fit, size: usize) -> shx_result {
-    // SAFETY: the caller says that fit holds size bytes.
+    // SAFETY: the caller guarantees that fit holds size bytes.
     unsafe { initialise("shx_polyline_fit_init", "fit", fit, size) }
 }
 

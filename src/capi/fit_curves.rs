@@ -1,4 +1,4 @@
-//! Strands from many curves at once.
+//! Fits strands to many curves at once.
 
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
@@ -135,7 +135,7 @@ impl shx_fit_options {
     }
 }
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 fn in_words_of_c(error: Error) -> Error {
     error.with_fields(&[
         ("least_length", "min_length_ratio"),
@@ -150,7 +150,7 @@ fn in_words_of_c(error: Error) -> Error {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_options_init(options: *mut shx_fit_options, size: usize) -> shx_result {
-    // SAFETY: the caller says that options holds size bytes.
+    // SAFETY: the caller guarantees that options holds size bytes.
     unsafe { initialise("shx_fit_options_init", "options", options, size) }
 }
 
@@ -220,7 +220,7 @@ const _: () = {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_input_init(curves: *mut shx_fit_input, size: usize) -> shx_result {
-    // SAFETY: the caller says that curves holds size bytes.
+    // SAFETY: the caller guarantees that curves holds size bytes.
     unsafe { initialise("shx_fit_input_init", "curves", curves, size) }
 }
 
@@ -298,7 +298,7 @@ impl Owned {
             return Err(Error::invalid("curves.reserved0", curves.reserved0, "0"));
         }
         check_reserved("curves", &curves.reserved)?;
-        // SAFETY: as the caller says.
+        // SAFETY: as the caller guarantees.
         unsafe {
             let counts = array("curves.point_counts", "curves.curve_count", curves.point_counts, curves.curve_count)?;
             let points = Reader::new("curves.points", &raw const curves.points, POINT_FORMATS)?;

@@ -1,8 +1,10 @@
-//! The floating-point mode: a host may have set flush-to-zero, another rounding direction or trapping exceptions. The engine
-//! needs the default of IEEE 754, both for its accuracy and to give the same bits in every host.
+//! The floating-point mode: sets the default of IEEE 754 inside the library, and the host's own outside.
 //!
-//! Done on x86-64 (MXCSR) and aarch64 (FPCR, FPSR). WebAssembly has no other mode than the default. On other machines the mode is left alone: a host
-//! must not change it there.
+//! A host may have set flush-to-zero, another rounding direction or trapping exceptions. The engine needs the default, both for its
+//! accuracy and for the same bits in every host.
+//!
+//! Implemented for x86-64 (MXCSR) and aarch64 (FPCR, FPSR). WebAssembly has only the default mode. On other machines a host must not
+//! change the mode.
 
 use std::cell::Cell;
 
@@ -61,11 +63,11 @@ mod machine {
 }
 
 thread_local! {
-    /// The mode that the host had when it entered the library on this thread. Plain data: no destructor.
+    /// The host's mode when it entered the library on this thread. Plain data: no destructor.
     static HOST: Cell<Option<machine::Mode>> = const { Cell::new(None) };
 }
 
-/// The default mode for as long as it lives; then the host's again, its sticky flags included.
+/// Sets the default mode during its lifetime; restores the host's, sticky flags included, when dropped.
 pub(crate) struct DefaultMode {
     host: machine::Mode,
     outer: Option<machine::Mode>,
@@ -86,7 +88,7 @@ impl Drop for DefaultMode {
     }
 }
 
-/// Runs a callback of the host in the mode that the host called us with.
+/// Runs a callback of the host in the host's own mode.
 pub(crate) fn with_host_mode<R>(callback: impl FnOnce() -> R) -> R {
     let Some(host) = HOST.get() else { return callback() };
     let ours = machine::get();

@@ -1,4 +1,4 @@
-//! Friction coefficients from a recorded curve.
+//! Fits friction coefficients to a recorded curve.
 
 use std::mem::{offset_of, size_of};
 
@@ -348,7 +348,7 @@ impl shx_friction_fit_def {
     }
 }
 
-/// The analysis names its own arguments: the same errors in the names of shx_fit_friction.
+/// Renames the arguments of the analysis to those of shx_fit_friction.
 fn in_words_of_c(error: Error) -> Error {
     let rename = |argument: String| {
         for (ours, theirs) in [
@@ -415,7 +415,7 @@ fn report(fit: &FrictionFit, strand: &shx_strand_def) -> shx_friction_fit_report
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_friction_fit_def_init(def: *mut shx_friction_fit_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_friction_fit_def_init", "def", def, size) }
 }
 
@@ -424,7 +424,7 @@ pub unsafe extern "C" fn shx_friction_fit_def_init(def: *mut shx_friction_fit_de
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_friction_fit_report_init(report: *mut shx_friction_fit_report, size: usize) -> shx_result {
-    // SAFETY: the caller says that report holds size bytes.
+    // SAFETY: the caller guarantees that report holds size bytes.
     unsafe { initialise("shx_friction_fit_report_init", "report", report, size) }
 }
 

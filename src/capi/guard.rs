@@ -40,7 +40,7 @@ impl shx_solver {
     }
 }
 
-/// Frees a use of the solver when the call ends.
+/// Releases the solver at the end of the call.
 struct Use<'a> {
     users: &'a AtomicI32,
     change: i32,
@@ -68,7 +68,7 @@ impl Drop for Use<'_> {
     }
 }
 
-/// Why a lock is not to be had now.
+/// Why a lock is not available.
 pub(crate) fn in_use<T>(error: TryLockError<T>) -> Error {
     match error {
         TryLockError::WouldBlock => Error::Busy,
@@ -76,7 +76,7 @@ pub(crate) fn in_use<T>(error: TryLockError<T>) -> Error {
     }
 }
 
-/// What a panic said.
+/// The message of a panic.
 pub(crate) fn panic_message(payload: &(dyn std::any::Any + Send)) -> String {
     payload
         .downcast_ref::<&str>()
@@ -90,7 +90,7 @@ pub(crate) fn panic_message(payload: &(dyn std::any::Any + Send)) -> String {
 fn run<R>(body: impl FnOnce() -> Result<R>) -> Result<R> {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|payload| {
         let message = panic_message(&*payload);
-        // The payload's own destructor might panic again: leave it.
+        // The payload's own destructor might panic again: leak it.
         std::mem::forget(payload);
         Err(Error::Panic { message })
     })
@@ -125,7 +125,7 @@ pub(crate) unsafe fn read(
     body: impl FnOnce(&Solver) -> Result<()>,
 ) -> shx_result {
     let _mode = DefaultMode::enter();
-    // SAFETY: null or alive, says the caller.
+    // SAFETY: the caller guarantees null or a valid handle.
     let Some(solver) = (unsafe { solver.as_ref() }) else {
         return remember(function, &Error::NullArgument { argument: "solver".into() });
     };
@@ -151,7 +151,7 @@ pub(crate) unsafe fn write(
     body: impl FnOnce(&mut Solver, &LogSink) -> Result<()>,
 ) -> shx_result {
     let _mode = DefaultMode::enter();
-    // SAFETY: null or alive, says the caller. A shared reference: readers on other threads may hold one, and are told below.
+    // SAFETY: the caller guarantees null or a valid handle. A shared reference: readers on other threads may hold one, and are told below.
     let Some(solver) = (unsafe { solver.as_ref() }) else {
         return remember(function, &Error::NullArgument { argument: "solver".into() });
     };
@@ -167,13 +167,13 @@ pub(crate) unsafe fn write(
     finish(function, solver, run(|| body(core, &solver.log)))
 }
 
-/// Frees a solver, poisoned or not; null is nothing to free. Joins its threads.
+/// Destroys a solver, poisoned or not; ignores null. Joins its threads.
 ///
 /// # Safety
 /// `solver` is null or alive, and nobody uses it after this call unless it failed as busy.
 pub(crate) unsafe fn destroy(function: &'static str, solver: *mut shx_solver) -> shx_result {
     let _mode = DefaultMode::enter();
-    // SAFETY: null or alive, says the caller.
+    // SAFETY: the caller guarantees null or a valid handle.
     let Some(alive) = (unsafe { solver.as_ref() }) else { return SHX_OK };
     match Use::exclusive(&alive.users) {
         Ok(exclusive) => std::mem::forget(exclusive), // nobody can enter any more

@@ -87,7 +87,7 @@ impl shx_hair_handle {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_handle_init(handle: *mut shx_hair_handle, size: usize) -> shx_result {
-    // SAFETY: the caller says that handle holds size bytes.
+    // SAFETY: the caller guarantees that handle holds size bytes.
     unsafe { initialise("shx_hair_handle_init", "handle", handle, size) }
 }
 
@@ -226,7 +226,7 @@ impl shx_combing_test {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_combing_test_init(test: *mut shx_combing_test, size: usize) -> shx_result {
-    // SAFETY: the caller says that test holds size bytes.
+    // SAFETY: the caller guarantees that test holds size bytes.
     unsafe { initialise("shx_combing_test_init", "test", test, size) }
 }
 

@@ -1,4 +1,4 @@
-//! Kinds of hair, sliders, and the strands of a head that vary.
+//! Hair types, sliders, and random variation between the strands of a head.
 
 use std::ffi::{CStr, c_char};
 use std::mem::{offset_of, size_of};
@@ -194,7 +194,7 @@ const _: () = assert!(size_of::<shx_hair_sliders>() == 64 && offset_of!(shx_hair
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_type_init(hair: *mut shx_hair_type, size: usize) -> shx_result {
-    // SAFETY: the caller says that hair holds size bytes.
+    // SAFETY: the caller guarantees that hair holds size bytes.
     unsafe { initialise("shx_hair_type_init", "hair", hair, size) }
 }
 
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn shx_hair_type_init(hair: *mut shx_hair_type, size: usiz
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_sliders_init(sliders: *mut shx_hair_sliders, size: usize) -> shx_result {
-    // SAFETY: the caller says that sliders holds size bytes.
+    // SAFETY: the caller guarantees that sliders holds size bytes.
     unsafe { initialise("shx_hair_sliders_init", "sliders", sliders, size) }
 }
 
@@ -305,7 +305,7 @@ const _: () = assert!(size_of::<shx_hair_strands_def>() == 56 && offset_of!(shx_
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_strands_def_init(def: *mut shx_hair_strands_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_hair_strands_def_init", "def", def, size) }
 }
 

@@ -21,7 +21,7 @@ pub struct shx_haptic {
     device: Mutex<Device>,
 }
 
-/// One side for one call: nobody waits for it.
+/// Locks one side for one call, without waiting.
 fn with<T, R>(side: &Mutex<T>, body: impl FnOnce(&mut T) -> Result<R>) -> Result<R> {
     body(&mut *side.try_lock().map_err(in_use)?)
 }

@@ -1,4 +1,4 @@
-//! What a haptic object is made from, and what an update tells.
+//! Definitions of haptic objects, and the state after an update.
 
 use std::mem::{offset_of, size_of};
 
@@ -252,7 +252,7 @@ impl shx_haptic_state {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_def_init(def: *mut shx_haptic_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_haptic_def_init", "def", def, size) }
 }
 
@@ -261,6 +261,6 @@ pub unsafe extern "C" fn shx_haptic_def_init(def: *mut shx_haptic_def, size: usi
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_state_init(state: *mut shx_haptic_state, size: usize) -> shx_result {
-    // SAFETY: the caller says that state holds size bytes.
+    // SAFETY: the caller guarantees that state holds size bytes.
     unsafe { initialise("shx_haptic_state_init", "state", state, size) }
 }

@@ -1,4 +1,4 @@
-//! Living strands on more or fewer elements.
+//! Changes the number of elements of simulated strands.
 
 use super::buffers::{Places, array, strand_ids};
 use super::errors::shx_result;

@@ -28,14 +28,14 @@ pub(crate) struct LogSink {
     pub level: u32,
 }
 
-// SAFETY: user is the host's pointer, handed back and never looked at; the host promised (shx_solver_def.log) that its callback
+// SAFETY: user is the host's pointer, passed back and never read; the host guarantees (shx_solver_def.log) that its callback
 // may be called from any thread that calls the solver.
 unsafe impl Send for LogSink {}
 // SAFETY: as above.
 unsafe impl Sync for LogSink {}
 
 impl LogSink {
-    /// Formats and hands over a message when the host wants this level; costs nothing otherwise.
+    /// Formats and sends a message if the host wants this level; costs nothing otherwise.
     pub(crate) fn message(&self, level: u32, text: fmt::Arguments<'_>) {
         let Some(function) = self.function else { return };
         if level > self.level {

@@ -1,4 +1,4 @@
-//! Materials of living strands.
+//! Materials of simulated strands.
 
 use std::mem::size_of;
 
@@ -102,7 +102,7 @@ impl shx_material {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_material_init(material: *mut shx_material, size: usize) -> shx_result {
-    // SAFETY: the caller says that material holds size bytes.
+    // SAFETY: the caller guarantees that material holds size bytes.
     unsafe { initialise("shx_material_init", "material", material, size) }
 }
 

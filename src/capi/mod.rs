@@ -1,78 +1,77 @@
 //! The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 //!
-//! `include/superhelix.h` is generated from this floor (`tests/capi/header.rs`), so the comments here are written for the C
-//! programmer who reads it there. Nothing here is process-wide: no table of solvers, no logger, no pool, no panic hook, and the
-//! only thread-local variables (the last error's text, the host's floating-point mode) have no destructor, since one would keep
-//! the library mapped after `dlclose`.
+//! `include/superhelix.h` is generated from this folder (`tests/capi/header.rs`), so the comments here address C programmers.
+//! Nothing here is process-wide: no table of solvers, no logger, no pool, no panic hook. The only thread-local variables (the
+//! last error's text, the host's floating-point mode) have no destructor, which would keep the library mapped after `dlclose`.
 //!
 //! # Safety
-//! Every function trusts its caller in what a C function must: a pointer that is not null points to as many items as the
+//! Every function trusts its caller where a C function must: a pointer that is not null points to as many items as the
 //! function's comment says, handles come from their create function and were not destroyed, and callbacks return normally.
 //! Everything else is checked.
 //!
 //! Files:
 //!
 //! - `attachment.rs`: Strands, bodies and constraints that follow one pose.
-//! - `bodies.rs`: Bodies: what strands are kept out of.
-//! - `body_def.rs`: What a body is made from.
-//! - `buffers.rs`: The caller's memory: arrays, strided inputs and outputs.
-//! - `constraints.rs`: Hard constraints: pins, clamps, ties and rings.
-//! - `contact.rs`: How contact is answered, and what strands are to it.
-//! - `contact_events.rs`: Contacts that begin and end, in a buffer that the host drains.
-//! - `contacts.rs`: The list of contacts: where something met strands at the end of the last substep.
+//! - `bodies.rs`: Bodies, which strands stay outside of.
+//! - `body_def.rs`: Definitions of bodies.
+//! - `buffers.rs`: The caller's memory: arrays, strided inputs and outputs, checked completely before anything is read or written.
+//! - `constraints.rs`: Bilateral constraints: pins, clamps, ties and rings.
+//! - `contact.rs`: Contact options, and contact parameters of strands.
+//! - `contact_events.rs`: Contact begin and end events, in a buffer that the host drains.
+//! - `contacts.rs`: The list of contacts at the end of the last substep.
 //! - `curve_cache.rs`: Caches: curves over time with velocities, in one .usda file.
-//! - `curve_data.rs`: All that groom files may say beside the points: out of curves, and into files.
-//! - `curves.rs`: Groom files in, cache frames out.
-//! - `distance_grid.rs`: Meshes baked into signed distance grids.
+//! - `curve_data.rs`: Optional data of groom files beside the points: read from curves, written to files.
+//! - `curves.rs`: Reads groom files, writes cache frames.
+//! - `distance_grid.rs`: Bakes meshes into signed distance grids.
 //! - `errors.rs`: Result codes, and the text of the last error of each thread.
-//! - `fit.rs`: Strands from polylines, and natural shapes that hold them up.
-//! - `fit_curves.rs`: Strands from many curves at once.
-//! - `floating_point.rs`: The floating-point mode: a host may have set flush-to-zero, another rounding direction or trapping exceptions.
-//! - `friction_fit.rs`: Friction coefficients from a recorded curve.
+//! - `fit.rs`: Fits strands to polylines, and finds natural shapes that hold them up.
+//! - `fit_curves.rs`: Fits strands to many curves at once.
+//! - `floating_point.rs`: The floating-point mode: sets the default of IEEE 754 inside the library, and the host's own outside.
+//! - `friction_fit.rs`: Fits friction coefficients to a recorded curve.
 //! - `guard.rs`: The one guard that every entry point goes through: null handle, re-entry, poisoned state, floating-point mode, panics.
 //! - `hair_handle.rs`: Hair handle: what a hand feels of hair, and the experiment that measures it.
-//! - `hair_type.rs`: Kinds of hair, sliders, and the strands of a head that vary.
+//! - `hair_type.rs`: Hair types, sliders, and random variation between the strands of a head.
 //! - `haptic.rs`: Haptic objects: a tool in a hand.
-//! - `haptic_def.rs`: What a haptic object is made from, and what an update tells.
-//! - `level_of_detail.rs`: Living strands on more or fewer elements.
+//! - `haptic_def.rs`: Definitions of haptic objects, and the state after an update.
+//! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
 //! - `log.rs`: Messages to the host.
-//! - `materials.rs`: Materials of living strands.
-//! - `output_transform.rs`: From the engine's space to the host's: other units, other axes, mirrored.
-//! - `overlaps.rs`: What strands overlap as they are, and having it allowed.
+//! - `materials.rs`: Materials of simulated strands.
+//! - `output_transform.rs`: Output transforms from the engine's space to the host's: other units, other axes, mirrored.
+//! - `overlaps.rs`: Overlaps of strands in the current scene, and permitted overlaps.
 //! - `parallel.rs`: The host's task system behind the engine's `ParallelFor`.
-//! - `pose_def.rs`: How strands are posed: what the calls of `posing.rs` are told.
-//! - `posing.rs`: Living strands posed: dragged, brushed, an element changed, cut, grown, mirrored.
-//! - `push_out.rs`: Curves drawn inside a body, pushed out of it.
-//! - `render_def.rs`: What render hair is made from, and how it is evaluated.
+//! - `pose_def.rs`: Definitions and options of posing, for the functions of `posing.rs`.
+//! - `posing.rs`: Poses simulated strands: drag, brush, change elements, cut, grow, mirror.
+//! - `push_out.rs`: Pushes curves out of a body.
+//! - `render_def.rs`: Definitions of render hair and of its evaluation.
 //! - `render_hair.rs`: Render hair: many strands from few guides.
-//! - `restyling.rs`: Shapes taken as they are: as natural shapes, as rest shapes under gravity, as shapes to come back to.
-//! - `ring_comb.rs`: Combs whose teeth hold the strands that they meet until these are combed.
+//! - `restyling.rs`: Restyling: takes current shapes as natural shapes, as rest shapes under gravity, or as shapes to return to.
+//! - `ring_comb.rs`: Ring combs: their teeth hold the strands that they meet until these are combed.
 //! - `roots.rs`: Roots: the host moves them, the strands follow.
-//! - `sample_outputs.rs`: The three places in the caller's memory that samples go to.
-//! - `sampling.rs`: Where strands are: points, frames, velocities, and what they do to their follicles.
+//! - `sample_outputs.rs`: Sample outputs in the caller's memory: points, frames, velocities.
+//! - `sampling.rs`: Samples strands: points, frames, velocities, and wrenches on follicles.
 //! - `scalp.rs`: Follicles on a mesh: scattered, or by texture coordinates; their frames as the mesh deforms.
-//! - `settings.rs`: Settings by name and by error: what to choose without reading the price list.
-//! - `settle.rs`: Static rest: strands put into their equilibrium under gravity.
-//! - `shape.rs`: A strand's curvatures: natural ones, present ones, and their rates.
-//! - `solver.rs`: Making, stepping and freeing a solver.
-//! - `solver_def.rs`: What a solver is made from.
-//! - `solver_options.rs`: The options of a living solver.
-//! - `spline.rs`: Cubic curves made into points.
-//! - `state.rs`: The whole state of a solver: images of it, and a hash.
-//! - `step.rs`: Steps, within limits or not, and what they report.
-//! - `step_limits.rs`: What a step may cost.
-//! - `strand_def.rs`: What a strand is made from.
-//! - `strands.rs`: Adding, removing and listing strands, and what can be asked of each.
-//! - `styling.rs`: Styling: clips, scissors, hot plates, and styles that are fixed.
+//! - `settings.rs`: Settings by name, and by permitted error.
+//! - `settle.rs`: Puts strands at rest in their equilibrium under gravity.
+//! - `shape.rs`: A strand's curvatures: natural ones, current ones, and their rates.
+//! - `solver.rs`: Creates, steps and destroys a solver.
+//! - `solver_def.rs`: Definitions of solvers.
+//! - `solver_options.rs`: Reads and changes a solver's options.
+//! - `spline.rs`: Samples cubic curves as points.
+//! - `state.rs`: Snapshots of a solver's state, and a hash of it.
+//! - `step.rs`: Steps, with or without limits, and their reports.
+//! - `step_limits.rs`: Limits on the cost of a step.
+//! - `strand_def.rs`: Definitions of strands.
+//! - `strands.rs`: Adds, removes and lists strands, and reads properties of each.
+//! - `styling.rs`: Styling: clips, scissors, hot plates and frozen styles.
 //! - `styling_tool.rs`: Styling tools: their bodies, from a few numbers.
-//! - `suggest.rs`: How many elements a strand needs.
-//! - `summary.rs`: A solver in one line, for a reader who wants to know once what runs.
-//! - `thread.rs`: Work on a thread of its own.
+//! - `suggest.rs`: Suggests a number of elements for a strand.
+//! - `summary.rs`: A one-line summary of a solver for the log.
+//! - `thread.rs`: Runs work on a separate thread.
 //! - `types.rs`: Plain data that crosses the border.
-//! - `version.rs`: Which library this is.
-//! - `versioned.rs`: Structures that may grow.
-//! - `wisp.rs`: Wisps: what a guide of a groom stands for.
-//! - `wrenches.rs`: Wrenches into the caller's memory: those on follicles and those on bodies.
+//! - `version.rs`: The library's version and build.
+//! - `versioned.rs`: Versioned structures, which may grow.
+//! - `wisp.rs`: Wisps: a guide of a groom represents the hairs around it.
+//! - `wrenches.rs`: Writes wrenches on follicles and bodies to the caller's memory.
 // Comments here are those of the C header too, plain text: ids[i] is not a link.
 #![allow(rustdoc::broken_intra_doc_links)]
 #![allow(unsafe_code, non_camel_case_types)]

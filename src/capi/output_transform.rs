@@ -1,4 +1,4 @@
-//! From the engine's space to the host's: other units, other axes, mirrored.
+//! Output transforms from the engine's space to the host's: other units, other axes, mirrored.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
@@ -8,19 +8,19 @@ use crate::error::{Error, Result, check_finite};
 /// stored as floats.
 const TOLERANCE: f64 = 1e-5;
 
-/// A rotation, or a rotation of what was mirrored, with one scale, and a translation.
+/// A rotation, possibly after a reflection, with one scale, and a translation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OutputTransform {
     linear: Matrix3<f64>,
     translation: Vector3<f64>,
     scale: f64,
-    /// The rotation; where it mirrors, that of what was mirrored along z.
+    /// The rotation; if it mirrors, the one after a reflection along z.
     rotation: UnitQuaternion<f64>,
     mirrors: bool,
 }
 
 impl OutputTransform {
-    /// What the world's axes become, and its origin. Nothing for those of the world itself.
+    /// From the images of the world's axes and origin. `None` for the identity.
     pub(crate) fn new(argument: &str, axes: [[f64; 3]; 3], translation: [f64; 3]) -> Result<Option<Self>> {
         const NAMES: [&str; 3] = ["x_axis", "y_axis", "z_axis"];
         for (axis, name) in axes.iter().zip(NAMES) {
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_neither_rotation_nor_mirror_is_refused_by_name() {
+    fn matrices_other_than_rotations_and_mirrors_are_refused_by_name() {
         let one = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert_eq!(OutputTransform::new("def", one, [0.0; 3]), Ok(None));
         let refused = |axes: [[f64; 3]; 3], name: &str| {

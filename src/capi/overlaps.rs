@@ -1,4 +1,4 @@
-//! What strands overlap as they are, and having it allowed.
+//! Overlaps of strands in the current scene, and permitted overlaps.
 
 use super::buffers::{Place, Places, array, strand_ids};
 use super::errors::shx_result;
@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::solver::Overlap;
 use crate::solver::id::StrandId;
 
-/// The names of an allowance's lists, and those of the calls.
+/// The names of a permitted overlap's lists, and those of the calls' arguments.
 const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wisp_fractions"), ("sunk", "body_depths")];
 
 /// Computes how deep count strands currently overlap other strands (if hair_contact is set) and bodies, beyond

@@ -31,7 +31,7 @@ struct HostParallelFor {
     user: *mut c_void,
 }
 
-// SAFETY: user is the host's pointer, handed back and never looked at; the host may be called from any thread that steps the solver.
+// SAFETY: user is the host's pointer, passed back and never read; the host may be called from any thread that steps the solver.
 unsafe impl Send for HostParallelFor {}
 // SAFETY: as above.
 unsafe impl Sync for HostParallelFor {}
@@ -42,7 +42,7 @@ struct Loop<'a> {
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
-/// What the host calls for a range. A panic must not unwind into the host's frames: it is kept for the calling thread.
+/// The host calls this for a range. A panic must not unwind into the host's frames: it is kept for the calling thread.
 unsafe extern "C" fn range(task: *mut c_void, begin: u32, end: u32, worker: u32) {
     let _mode = DefaultMode::enter();
     // SAFETY: the pointer that `run` gave to the host, which calls this only until its own function returns.
@@ -52,7 +52,7 @@ unsafe extern "C" fn range(task: *mut c_void, begin: u32, end: u32, worker: u32)
     }
 }
 
-/// Who does the work that a structure of the host's asks for: its parallel loop, so many threads, or (0 or 1 of them) the calling one.
+/// The workers that a structure of the host asks for: its parallel loop, a number of threads, or (0 or 1) the calling one.
 /// `argument` is the structure's name in errors.
 pub(super) fn workers(argument: &str, count: u32, parallel_for: shx_parallel_for_fn, user: *mut c_void) -> Result<Workers> {
     if count > 256 {
@@ -66,7 +66,7 @@ pub(super) fn workers(argument: &str, count: u32, parallel_for: shx_parallel_for
 }
 
 impl ParallelFor for HostParallelFor {
-    /// Ranges are handed on as they come: the solver itself sees to it that an item is done once, whatever the host does.
+    /// Passes ranges on as they come: the solver itself ensures that every item is done once, whatever the host does.
     fn run(&self, count: u32, min_range: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
         let running = Loop { task, panic: Mutex::new(None) };
         let pointer = (&raw const running).cast_mut().cast::<c_void>();

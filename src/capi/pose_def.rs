@@ -1,4 +1,4 @@
-//! How strands are posed: what the calls of `posing.rs` are told.
+//! Definitions and options of posing, for the functions of `posing.rs`.
 
 use std::mem::{offset_of, size_of};
 
@@ -216,7 +216,7 @@ impl shx_element_change {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_pose_options_init(options: *mut shx_pose_options, size: usize) -> shx_result {
-    // SAFETY: the caller says that options holds size bytes.
+    // SAFETY: the caller guarantees that options holds size bytes.
     unsafe { initialise("shx_pose_options_init", "options", options, size) }
 }
 
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn shx_pose_options_init(options: *mut shx_pose_options, s
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_brush_init(brush: *mut shx_brush, size: usize) -> shx_result {
-    // SAFETY: the caller says that brush holds size bytes.
+    // SAFETY: the caller guarantees that brush holds size bytes.
     unsafe { initialise("shx_brush_init", "brush", brush, size) }
 }
 
@@ -234,6 +234,6 @@ pub unsafe extern "C" fn shx_brush_init(brush: *mut shx_brush, size: usize) -> s
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_element_change_init(change: *mut shx_element_change, size: usize) -> shx_result {
-    // SAFETY: the caller says that change holds size bytes.
+    // SAFETY: the caller guarantees that change holds size bytes.
     unsafe { initialise("shx_element_change_init", "change", change, size) }
 }

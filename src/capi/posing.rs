@@ -1,4 +1,4 @@
-//! Living strands posed: dragged, brushed, an element changed, cut, grown, mirrored.
+//! Poses simulated strands: drag, brush, change elements, cut, grow, mirror.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! Curves drawn inside a body, pushed out of it.
+//! Pushes curves out of a body.
 
 use std::mem::size_of;
 
@@ -56,11 +56,11 @@ const _: () = assert!(size_of::<shx_push_out_def>() == 40 && std::mem::offset_of
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_push_out_def_init(def: *mut shx_push_out_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_push_out_def_init", "def", def, size) }
 }
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 fn in_words_of_c(error: Error) -> Error {
     match error {
         Error::InvalidId { bits, .. } => Error::InvalidId { argument: "def.body".into(), bits },

@@ -1,4 +1,4 @@
-//! What render hair is made from, and how it is evaluated.
+//! Definitions of render hair and of its evaluation.
 
 use std::ffi::c_void;
 use std::mem::size_of;
@@ -200,7 +200,7 @@ impl shx_render_settings {
     }
 }
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 pub(super) fn in_words_of_c(error: Error) -> Error {
     error.with_fields(&[
         ("taper_from", "taper_start"),
@@ -217,7 +217,7 @@ pub(super) fn in_words_of_c(error: Error) -> Error {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_settings_init(settings: *mut shx_render_settings, size: usize) -> shx_result {
-    // SAFETY: the caller says that settings holds size bytes.
+    // SAFETY: the caller guarantees that settings holds size bytes.
     unsafe { initialise("shx_render_settings_init", "settings", settings, size) }
 }
 
@@ -283,7 +283,7 @@ const _: () = {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_guides_init(guides: *mut shx_render_guides, size: usize) -> shx_result {
-    // SAFETY: the caller says that guides holds size bytes.
+    // SAFETY: the caller guarantees that guides holds size bytes.
     unsafe { initialise("shx_render_guides_init", "guides", guides, size) }
 }
 
@@ -323,7 +323,7 @@ impl OwnedGuides {
         if count == 0 {
             return Err(Error::invalid("guides.guide_count", count, "at least 1"));
         }
-        // SAFETY: as the caller says.
+        // SAFETY: as the caller guarantees.
         unsafe {
             let counts = if guides.point_counts.is_null() {
                 None
@@ -447,7 +447,7 @@ const _: () = {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_view_init(view: *mut shx_render_view, size: usize) -> shx_result {
-    // SAFETY: the caller says that view holds size bytes.
+    // SAFETY: the caller guarantees that view holds size bytes.
     unsafe { initialise("shx_render_view_init", "view", view, size) }
 }
 

@@ -44,10 +44,10 @@ unsafe fn pose_from<'a>(argument: &str, pose: *const shx_render_pose) -> Result<
     unsafe { pose.as_ref() }.map(|pose| &pose.0).ok_or_else(|| Error::NullArgument { argument: argument.into() })
 }
 
-/// Where strands are to grow.
+/// The roots of strands, from the host.
 struct Ground {
     roots: Vec<Vector3<f64>>,
-    /// The scalp's, where the host gives frames.
+    /// The scalp's, if the host passes frames.
     normals: Option<Vec<Vector3<f64>>>,
 }
 
@@ -68,7 +68,7 @@ impl Ground {
     }
 }
 
-/// Makes the map; threads are spawned where they leave nothing behind on the host's thread.
+/// Builds the map, and spawns threads so that they leave nothing behind on the host's thread.
 fn bind(settings: &RenderSettings, guides: &GuideSamples, ground: &Ground) -> Result<RenderHair> {
     let bind = || RenderHair::bind_on(settings, guides, &ground.roots, ground.normals.as_deref());
     match settings.workers {
@@ -401,7 +401,7 @@ unsafe fn evaluate<'a>(
     [points, frames, velocities]: [*const shx_output; 3],
     bodies: impl FnOnce(f64) -> Vec<RenderBody<'a>>,
 ) -> Result<()> {
-    // SAFETY: as the caller says.
+    // SAFETY: as the caller guarantees.
     unsafe {
         let pose = pose_from("pose", pose)?.try_read().map_err(in_use)?;
         let whole = view.is_null();

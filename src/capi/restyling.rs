@@ -1,4 +1,4 @@
-//! Shapes taken as they are: as natural shapes, as rest shapes under gravity, as shapes to come back to.
+//! Restyling: takes current shapes as natural shapes, as rest shapes under gravity, or as shapes to return to.
 
 use super::buffers::{Places, array, each, strand_ids};
 use super::errors::shx_result;
@@ -15,7 +15,7 @@ pub const SHX_STIFFEN_YOUNGS_MODULUS: u32 = 1;
 /// Stiffen strands by scaling both semi-axes of the cross-section, which also makes them heavier.
 pub const SHX_STIFFEN_RADIUS: u32 = 2;
 
-/// Elements of strands together.
+/// Total number of elements of strands.
 fn total(core: &Solver, ids: &[StrandId]) -> Result<usize> {
     Ok(each(ids, |id| core.element_lengths(id).map(<[f64]>::len))?.iter().sum())
 }

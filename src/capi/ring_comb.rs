@@ -1,4 +1,4 @@
-//! Combs whose teeth hold the strands that they meet until these are combed.
+//! Ring combs: their teeth hold the strands that they meet until these are combed.
 
 use std::mem::{offset_of, size_of};
 use std::sync::Mutex;
@@ -96,7 +96,7 @@ unsafe fn with<R>(comb: *const shx_ring_comb, body: impl FnOnce(&mut RingComb) -
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_ring_comb_def_init(def: *mut shx_ring_comb_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_ring_comb_def_init", "def", def, size) }
 }
 

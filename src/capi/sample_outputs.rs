@@ -1,4 +1,4 @@
-//! The three places in the caller's memory that samples go to.
+//! Sample outputs in the caller's memory: points, frames, velocities.
 
 use nalgebra::Vector3;
 
@@ -19,10 +19,10 @@ pub(crate) struct Outputs {
     place: OutputPlace,
 }
 
-/// Relative to what outputs are, and in which axes.
+/// The origin and axes of outputs.
 pub(crate) struct OutputPlace {
     pub origin: Vector3<f64>,
-    /// Nothing: the world's.
+    /// `None` for the world's.
     pub transform: Option<OutputTransform>,
 }
 
@@ -163,7 +163,7 @@ impl<T: Real> SampleSink<T> for BulkSink<'_> {
 }
 
 impl BulkSink<'_> {
-    /// The same in the host's space: what the host would do in a pass of its own.
+    /// The same in the host's space.
     fn take_transformed<T: Real>(&self, tile: &Tile<T>, transform: &OutputTransform) {
         for (lane, strand) in tile.strands.iter().enumerate() {
             let strand = *strand as usize;

@@ -1,4 +1,4 @@
-//! Where strands are: points, frames, velocities, and what they do to their follicles.
+//! Samples strands: points, frames, velocities, and wrenches on follicles.
 
 use std::mem::{offset_of, size_of};
 
@@ -66,7 +66,7 @@ const _: () = assert!(size_of::<shx_sample_def>() == 128 && offset_of!(shx_sampl
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_sample_def_init(def: *mut shx_sample_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_sample_def_init", "def", def, size) }
 }
 
@@ -107,14 +107,14 @@ pub unsafe extern "C" fn shx_solver_sample_strands(
                 .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points per call"))?;
             let place = def.place("def")?;
             let outputs = Outputs::new(points, frames, velocities, needed, place)?;
-            // All ids are looked up before the first point is written.
+            // All ids are checked before the first point is written.
             outputs.bulk(core, &ids, per_strand)
         })
     }
 }
 
 impl shx_sample_def {
-    /// Where outputs are, checked.
+    /// The checked origin and axes of outputs.
     fn place(&self, argument: &str) -> Result<OutputPlace> {
         let origin = origin(&format!("{argument}.origin"), self.origin)?;
         let transform = OutputTransform::new(argument, [self.x_axis, self.y_axis, self.z_axis], self.translation)?;
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn shx_solver_sample_at(
 
 fn sample(core: &Solver, id: StrandId, arclengths: &[f64], outputs: &Outputs) -> Result<()> {
     let radius = core.radius(id)?;
-    // Collected first: an arclength that is out of range must leave the outputs as they were.
+    // Collected first: an arclength out of range must leave the outputs unchanged.
     let mut samples = memory::list(arclengths.len())?;
     core.sample_at(id, arclengths, |index, sample| samples.push((index, *sample)))?;
     for (index, sample) in &samples {

@@ -154,7 +154,7 @@ const _: () = {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_def_init(def: *mut shx_scalp_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_scalp_def_init", "def", def, size) }
 }
 
@@ -163,7 +163,7 @@ pub unsafe extern "C" fn shx_scalp_def_init(def: *mut shx_scalp_def, size: usize
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scatter_def_init(def: *mut shx_scatter_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_scatter_def_init", "def", def, size) }
 }
 
@@ -286,7 +286,7 @@ pub unsafe extern "C" fn shx_scalp_scatter(
     })
 }
 
-/// Where a definition's guides are.
+/// The region of a definition's guides.
 ///
 /// # Safety
 /// What the definition points to is there.

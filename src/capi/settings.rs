@@ -1,4 +1,4 @@
-//! Settings by name and by error: what to choose without reading the price list.
+//! Settings by name, and by permitted error.
 
 use std::mem::{offset_of, size_of};
 
@@ -101,7 +101,7 @@ impl shx_settings {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settings_init(settings: *mut shx_settings, size: usize) -> shx_result {
-    // SAFETY: the caller says that settings holds size bytes.
+    // SAFETY: the caller guarantees that settings holds size bytes.
     unsafe { initialise("shx_settings_init", "settings", settings, size) }
 }
 

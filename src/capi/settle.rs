@@ -1,4 +1,4 @@
-//! Static rest: strands put into their equilibrium under gravity.
+//! Puts strands at rest in their equilibrium under gravity.
 
 use std::mem::{offset_of, size_of};
 
@@ -134,7 +134,7 @@ impl shx_settle_report {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settle_def_init(def: *mut shx_settle_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_settle_def_init", "def", def, size) }
 }
 
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn shx_settle_def_init(def: *mut shx_settle_def, size: usi
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settle_report_init(report: *mut shx_settle_report, size: usize) -> shx_result {
-    // SAFETY: the caller says that report holds size bytes.
+    // SAFETY: the caller guarantees that report holds size bytes.
     unsafe { initialise("shx_settle_report_init", "report", report, size) }
 }
 

@@ -1,4 +1,4 @@
-//! A strand's curvatures: natural ones, present ones, and their rates. Rows of three doubles, one an element.
+//! A strand's curvatures: natural ones, current ones, and their rates. One row of three doubles per element.
 
 use super::buffers::{Places, array};
 use super::errors::shx_result;

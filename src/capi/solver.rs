@@ -1,4 +1,4 @@
-//! Making, stepping and freeing a solver.
+//! Creates, steps and destroys a solver.
 
 use std::sync::atomic::Ordering;
 

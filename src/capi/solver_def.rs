@@ -1,4 +1,4 @@
-//! What a solver is made from.
+//! Definitions of solvers.
 
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
@@ -169,7 +169,7 @@ const _: () = {
     assert!(offset_of!(shx_solver_def, linear_solver) == 96 && offset_of!(shx_solver_def, tolerance) == 112);
 };
 
-/// An integer of C that stands for a truth value.
+/// An integer of C that represents a truth value.
 pub(super) fn check_flag(argument: &str, value: u32) -> Result<bool> {
     match value {
         0 => Ok(false),
@@ -195,7 +195,7 @@ pub(super) fn precision_from(argument: &str, value: u32) -> Result<Precision> {
     }
 }
 
-/// Nothing: the best that the machine has.
+/// `None` for the best of the machine.
 pub(super) fn instruction_set_from(argument: &str, value: u32) -> Result<Option<InstructionSet>> {
     if value == SHX_INSTRUCTION_SET_BEST {
         return Ok(None);
@@ -204,7 +204,7 @@ pub(super) fn instruction_set_from(argument: &str, value: u32) -> Result<Option<
     InstructionSet::from_u32(value).map(Some).ok_or_else(unknown)
 }
 
-/// Reserved room must be zero, so that a later version can give it a meaning.
+/// Reserved fields must be zero, so that a later version can give them a meaning.
 pub(super) fn check_reserved(argument: &str, reserved: &[u64]) -> Result<()> {
     match reserved.iter().position(|word| *word != 0) {
         Some(index) => Err(Error::invalid(format!("{argument}.reserved[{index}]"), reserved[index], "0")),
@@ -246,7 +246,7 @@ impl shx_solver_def {
         Ok(options)
     }
 
-    /// Where messages go.
+    /// The destination of messages.
     pub(super) fn log_sink(&self) -> Result<LogSink> {
         if !(SHX_LOG_ERROR..=SHX_LOG_DEBUG).contains(&self.log_level) {
             return Err(Error::invalid("def.log_level", self.log_level, "SHX_LOG_ERROR (1) to SHX_LOG_DEBUG (4)"));
@@ -260,6 +260,6 @@ impl shx_solver_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_def_init(def: *mut shx_solver_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_solver_def_init", "def", def, size) }
 }

@@ -1,4 +1,4 @@
-//! The options of a living solver.
+//! Reads and changes a solver's options.
 
 use std::mem::{offset_of, size_of};
 
@@ -116,7 +116,7 @@ impl shx_solver_options {
         }
     }
 
-    /// The engine's own options, of a solver that has `present` ones.
+    /// The engine's own options, for a solver with the options `present`.
     fn options(&self, present: &SolverOptions) -> Result<SolverOptions> {
         let workers = worker_count(&present.workers);
         if self.worker_count != workers {
@@ -163,7 +163,7 @@ impl shx_solver_options {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_options_init(options: *mut shx_solver_options, size: usize) -> shx_result {
-    // SAFETY: the caller says that options holds size bytes.
+    // SAFETY: the caller guarantees that options holds size bytes.
     unsafe { initialise("shx_solver_options_init", "options", options, size) }
 }
 

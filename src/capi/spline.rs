@@ -1,4 +1,4 @@
-//! Cubic curves made into points.
+//! Samples cubic curves as points.
 
 use std::mem::size_of;
 
@@ -68,11 +68,11 @@ const _: () = assert!(size_of::<shx_spline_def>() == 48 && std::mem::offset_of!(
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_spline_def_init(def: *mut shx_spline_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_spline_def_init", "def", def, size) }
 }
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 fn in_words_of_c(error: Error) -> Error {
     error.with_fields(&[("per_span", "points_per_span")]).inside("def")
 }

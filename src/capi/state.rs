@@ -1,4 +1,4 @@
-//! The whole state of a solver: images of it, and a hash.
+//! Snapshots of a solver's state, and a hash of it.
 
 use std::ffi::c_void;
 use std::mem::size_of;
@@ -83,7 +83,7 @@ const _: () = assert!(size_of::<shx_snapshot_def>() == 8);
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_snapshot_def_init(def: *mut shx_snapshot_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_snapshot_def_init", "def", def, size) }
 }
 
@@ -225,7 +225,7 @@ impl shx_restore_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_restore_def_init(def: *mut shx_restore_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_restore_def_init", "def", def, size) }
 }
 

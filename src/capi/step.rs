@@ -1,4 +1,4 @@
-//! Steps, within limits or not, and what they report.
+//! Steps, with or without limits, and their reports.
 
 use std::mem::{offset_of, size_of};
 
@@ -152,11 +152,11 @@ impl shx_step_report {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_step_report_init(report: *mut shx_step_report, size: usize) -> shx_result {
-    // SAFETY: the caller says that report holds size bytes.
+    // SAFETY: the caller guarantees that report holds size bytes.
     unsafe { initialise("shx_step_report_init", "report", report, size) }
 }
 
-/// Steps where the kernels leave nothing behind on the host's thread, which does its share of a pool's work.
+/// Steps so that the kernels leave nothing behind on the host's thread, which takes part in a pool's work.
 fn step(core: &mut Solver, dt: f64, substeps: u32, limits: &StepLimits) -> Result<StepReport> {
     let options = core.options();
     let dense = options.step.linear_solver != LinearSolver::LinearTime;

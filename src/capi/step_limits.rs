@@ -1,4 +1,4 @@
-//! What a step may cost.
+//! Limits on the cost of a step.
 
 use std::mem::size_of;
 use std::sync::atomic::AtomicU32;
@@ -64,7 +64,7 @@ impl shx_step_limits {
             return Err(crate::error::Error::invalid("limits.reserved0", self.reserved0, "0"));
         }
         check_not_negative(|| "limits.max_seconds".into(), self.max_seconds)?;
-        // SAFETY: as the caller says; an AtomicU32 has a u32's size and alignment.
+        // SAFETY: as the caller guarantees; an AtomicU32 has a u32's size and alignment.
         let cancel = unsafe { self.cancel.cast::<AtomicU32>().as_ref() };
         Ok(StepLimits {
             work: (self.max_work > 0).then_some(self.max_work),
@@ -79,6 +79,6 @@ impl shx_step_limits {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_step_limits_init(limits: *mut shx_step_limits, size: usize) -> shx_result {
-    // SAFETY: the caller says that options holds size bytes.
+    // SAFETY: the caller guarantees that options holds size bytes.
     unsafe { initialise("shx_step_limits_init", "limits", limits, size) }
 }

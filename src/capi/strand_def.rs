@@ -1,4 +1,4 @@
-//! What a strand is made from.
+//! Definitions of strands.
 
 use std::mem::{offset_of, size_of};
 
@@ -24,7 +24,7 @@ pub const SHX_DOF_BEND1: u32 = 2;
 /// The strand can bend about n2.
 pub const SHX_DOF_BEND2: u32 = 4;
 
-/// How far given element lengths may differ from the given length, relative.
+/// Relative tolerance of the sum of element lengths against the length.
 const LENGTH_TOLERANCE: f64 = 1e-9;
 
 /// Definition of a strand. Fill it with shx_strand_def_init, then set at least element_count and length (or
@@ -114,17 +114,17 @@ const _: () = {
     assert!(offset_of!(shx_strand_def, initial_curvatures) == 168 && offset_of!(shx_strand_def, root_velocity) == 184);
 };
 
-/// Takes a field; its whole name is made only for an error: for many definitions the names cost more than all the rest.
+/// Reads a field. Its full name is made only for an error: for many definitions the names would cost more than all the rest.
 fn named<T>(argument: &str, field: &str, take: impl Fn(&str) -> Result<T>) -> Result<T> {
     take(field).or_else(|_| take(&format!("{argument}.{field}")))
 }
 
-/// The engine's error with the names of the C structure.
+/// The engine's error, with the names of the C structure.
 fn in_words_of_c(error: Error) -> Error {
     error.with_fields(&[("natural", "natural_curvatures"), ("initial", "initial_curvatures"), ("freedoms", "dofs")])
 }
 
-/// Rows of curvatures in the caller's memory; nothing for null.
+/// Rows of curvatures in the caller's memory; `None` for null.
 ///
 /// # Safety
 /// `rows` is null or points to `count` rows.
@@ -180,7 +180,7 @@ impl shx_strand_def {
         Ok(count)
     }
 
-    /// Bytes that the engine's own definition takes beside itself, at most.
+    /// An upper bound on the heap bytes of the engine's own definition.
     pub(super) fn bytes(&self, argument: &str) -> Result<usize> {
         let row = size_of::<f64>() + 3 * size_of::<[f64; 3]>();
         Ok(self.count(argument)? * row + 4 * BLOCK)
@@ -222,6 +222,6 @@ impl shx_strand_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_strand_def_init(def: *mut shx_strand_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_strand_def_init", "def", def, size) }
 }

@@ -1,4 +1,4 @@
-//! Adding, removing and listing strands, and what can be asked of each.
+//! Adds, removes and lists strands, and reads properties of each.
 
 use std::cell::Cell;
 
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn shx_solver_add_strands(
     unsafe {
         write("shx_solver_add_strands", solver, |core, log| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            // All that they take is asked for at once: a hundred thousand small lists are no list that could be asked for.
+            // Checks for the total memory at once: a hundred thousand small lists cannot be reserved as one.
             let bytes = Cell::new(0_usize);
             let count_bytes = |def: &shx_strand_def, argument: &str| {
                 bytes.set(bytes.get().saturating_add(def.bytes(argument)?));

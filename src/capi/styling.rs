@@ -1,4 +1,4 @@
-//! Styling: clips, scissors, hot plates, and styles that are fixed.
+//! Styling: clips, scissors, hot plates and frozen styles.
 
 use std::mem::{offset_of, size_of};
 
@@ -70,7 +70,7 @@ impl shx_clip_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_clip_def_init(def: *mut shx_clip_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_clip_def_init", "def", def, size) }
 }
 
@@ -236,7 +236,7 @@ const _: () = assert!(size_of::<shx_heat_def>() == 96 && offset_of!(shx_heat_def
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_heat_def_init(def: *mut shx_heat_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_heat_def_init", "def", def, size) }
 }
 

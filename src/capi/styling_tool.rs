@@ -120,7 +120,7 @@ impl shx_tool_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_tool_def_init(def: *mut shx_tool_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_tool_def_init", "def", def, size) }
 }
 

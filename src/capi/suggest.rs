@@ -1,4 +1,4 @@
-//! How many elements a strand needs.
+//! Suggests a number of elements for a strand.
 
 use std::mem::{offset_of, size_of};
 
@@ -120,7 +120,7 @@ impl shx_suggest_def {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_suggest_def_init(def: *mut shx_suggest_def, size: usize) -> shx_result {
-    // SAFETY: the caller says that def holds size bytes.
+    // SAFETY: the caller guarantees size bytes at def.
     unsafe { initialise("shx_suggest_def_init", "def", def, size) }
 }
 
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn shx_suggest_def_init(def: *mut shx_suggest_def, size: u
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_suggestion_init(suggestion: *mut shx_suggestion, size: usize) -> shx_result {
-    // SAFETY: the caller says that suggestion holds size bytes.
+    // SAFETY: the caller guarantees that suggestion holds size bytes.
     unsafe { initialise("shx_suggestion_init", "suggestion", suggestion, size) }
 }
 

@@ -1,4 +1,4 @@
-//! A solver in one line, for a reader who wants to know once what runs.
+//! A one-line summary of a solver for the log.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use crate::math::lanes::InstructionSet;
 use crate::solver::definition::{SolverOptions, Workers};
 use crate::step::options::Integrator;
 
-/// The options that tell one solver from another.
+/// The options that distinguish solvers.
 pub(crate) struct Summary<'a>(pub &'a SolverOptions);
 
 impl fmt::Display for Summary<'_> {

@@ -1,11 +1,11 @@
-//! Work on a thread of its own.
+//! Runs work on a separate thread.
 //!
-//! Some of what the engine stands on keeps thread-local variables with destructors: Rust's thread::spawn on the thread that
+//! Some of the engine's dependencies keep thread-local variables with destructors: Rust's thread::spawn on the thread that
 //! spawns, the dense matrix kernels on the thread that multiplies. On the host's thread they would keep the library mapped after
-//! `dlclose` until that thread ends. So such work runs on a short-lived thread made by the system's own call, whose
+//! `dlclose` until that thread ends. So such work runs on a short-lived thread of the system's own, whose
 //! thread-local variables are gone when it has been joined. It takes about 20 microseconds.
 
-/// Runs the body on a new thread and waits for it; on the calling thread where that cannot be done.
+/// Runs the body on a new thread and waits for it, or on the calling thread if that fails.
 #[cfg(unix)]
 pub(crate) fn on_own_thread<R: Send>(body: impl FnOnce() -> R + Send) -> R {
     use std::ffi::c_void;
@@ -55,7 +55,7 @@ pub(crate) fn on_own_thread<R: Send>(body: impl FnOnce() -> R + Send) -> R {
     }
 }
 
-/// Runs the body on the calling thread: the trap that the other version avoids is one of `dlclose`.
+/// Runs the body on the calling thread: the problem that the other version avoids is one of `dlclose`.
 #[cfg(not(unix))]
 pub(crate) fn on_own_thread<R: Send>(body: impl FnOnce() -> R + Send) -> R {
     body()

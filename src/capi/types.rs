@@ -103,7 +103,7 @@ pub const SHX_FORMAT_F64X4: u32 = 4;
 /// A shx_frame.
 pub const SHX_FORMAT_FRAME: u32 = 5;
 
-/// The largest count of items or strands that a call takes; above it the number is taken for a mistake.
+/// The largest count of items or strands that a call takes; a larger number counts as a mistake.
 pub(crate) const MAX_COUNT: usize = u32::MAX as usize;
 
 const _: () = {

@@ -1,4 +1,4 @@
-//! Which library this is.
+//! The library's version and build.
 
 use std::ffi::c_char;
 
@@ -58,7 +58,7 @@ const fn append(mut text: [u8; BUILD_INFO_LENGTH], start: usize, part: &str) -> 
     text
 }
 
-/// Closed by the zero that the array begins with.
+/// Terminated by the array's initial zeros.
 static BUILD_INFO: [u8; BUILD_INFO_LENGTH] = {
     let mut text = [0; BUILD_INFO_LENGTH];
     let mut start = 0;

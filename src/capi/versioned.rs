@@ -1,5 +1,7 @@
-//! Structures that may grow. The first field is the size that the host was compiled with: an older host states less and gets
-//! the defaults for what it does not know, a newer host states more and must have left the rest at zero.
+//! Versioned structures, which may grow.
+//!
+//! The first field is the size that the host was compiled with. An older host has a smaller size and gets the defaults for
+//! fields that it does not know. A newer host has a larger size and must leave the rest at zero.
 
 use std::mem::size_of;
 
@@ -9,7 +11,7 @@ use super::types::MAX_COUNT;
 use crate::error::{Error, Result};
 use crate::memory;
 
-/// More than any version of any structure will have: a larger number is memory that was never initialised.
+/// More than any version of any structure will have: a larger number indicates uninitialised memory.
 const LARGEST: usize = 4096;
 
 /// A structure of plain C data that begins with its size.
@@ -19,7 +21,7 @@ const LARGEST: usize = 4096;
 pub(crate) unsafe trait Versioned: Copy {
     /// The size of its first published form: the fields that every host has.
     const FIRST_SIZE: usize;
-    /// The values that its `_init` function gives.
+    /// The values that its `_init` function sets.
     fn defaults() -> Self;
 }
 
@@ -31,7 +33,7 @@ fn check_size<T: Versioned>(argument: &str, size: usize) -> Result<()> {
     Ok(())
 }
 
-/// The size that a structure states, checked.
+/// The checked size field of a structure.
 ///
 /// # Safety
 /// `pointer` is null or points to a structure of the size that it states.
@@ -65,7 +67,7 @@ pub(crate) unsafe fn read_versioned<T: Versioned>(argument: &str, pointer: *cons
     Ok(value)
 }
 
-/// Definitions in the caller's memory, a stride apart, each read by `read`, which gets its name. `name` is the structure's.
+/// Definitions in the caller's memory, a stride apart, each read by `read`, which receives its name. `name` is the structure's.
 ///
 /// # Safety
 /// `defs` is null or points to `count` structures, `stride` bytes apart, each of the size that it states.
@@ -109,7 +111,7 @@ pub(crate) unsafe fn definitions<T: Versioned, D>(
     Ok(definitions)
 }
 
-/// A host's structure that the library fills, its size checked before anything is done.
+/// A host's structure for the library to fill; its size is checked before anything else.
 pub(crate) struct VersionedOutput<T: Versioned> {
     pointer: *mut T,
     size: usize,
@@ -124,7 +126,7 @@ impl<T: Versioned> VersionedOutput<T> {
         Ok(Self { pointer, size })
     }
 
-    /// Fills the fields that the host knows; the size stays as the host has it.
+    /// Fills the fields that the host knows; the size stays the host's.
     pub(crate) fn write(self, value: &T) {
         let (start, end) = (size_of::<u32>(), self.size.min(size_of::<T>()));
         // SAFETY: `new` was promised a structure of self.size bytes; the value has size_of::<T>().
@@ -138,7 +140,7 @@ impl<T: Versioned> VersionedOutput<T> {
     }
 }
 
-/// What every `_init` function does: fills the fields that the host knows, sets struct_size, zeroes what only the host knows.
+/// The work of every `_init` function: fills the fields that the host knows, sets struct_size, zeroes what only the host knows.
 ///
 /// # Safety
 /// `pointer` is null or points to `size` bytes.

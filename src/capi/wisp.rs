@@ -1,4 +1,4 @@
-//! Wisps: what a guide of a groom stands for.
+//! Wisps: a guide of a groom represents the hairs around it.
 
 use std::mem::size_of;
 
@@ -53,7 +53,7 @@ impl shx_wisp {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_wisp_init(wisp: *mut shx_wisp, size: usize) -> shx_result {
-    // SAFETY: the caller says that wisp holds size bytes.
+    // SAFETY: the caller guarantees that wisp holds size bytes.
     unsafe { initialise("shx_wisp_init", "wisp", wisp, size) }
 }
 

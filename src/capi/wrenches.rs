@@ -1,4 +1,4 @@
-//! Wrenches into the caller's memory: those on follicles and those on bodies.
+//! Writes wrenches on follicles and bodies to the caller's memory.
 
 use super::buffers::{VECTOR_FORMATS, Writer, of_one};
 use super::types::shx_output;

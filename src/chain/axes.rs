@@ -1,6 +1,6 @@
-//! The free curvatures as a constant of the kernels: what no free curvature needs is not computed at all.
+//! The free curvatures as a compile-time constant of the kernels: a kernel computes nothing for a frozen curvature.
 
-/// The axes whose bits are set in `mask`, ascending; there must be D of them.
+/// The axes whose bits are set in `mask`, ascending. `D` must be their number.
 pub(crate) const fn axes<const D: usize>(mask: u32) -> [usize; D] {
     let mut axes = [0; D];
     let (mut axis, mut next) = (0, 0);
@@ -14,8 +14,8 @@ pub(crate) const fn axes<const D: usize>(mask: u32) -> [usize; D] {
     axes
 }
 
-/// Chooses the kernel for free curvatures `axes` (ascending): `call!(list, D, MASK)`, where `list` names the scratch of kernels with D
-/// free curvatures (`one`, `two`, `three`) and MASK has the bits of [`axes`].
+/// Chooses the kernel for the free curvatures `axes` (ascending): `call!(list, D, MASK)`, where `list` names the scratch memory
+/// of kernels with D free curvatures (`one`, `two`, `three`) and MASK has the bits of [`axes`].
 macro_rules! for_axes {
     ($axes:expr, $call:ident) => {
         match *$axes {

@@ -1,8 +1,10 @@
-//! The Delassus operator of a strand, J H⁻¹ Jᵀ: how far its stations move under forces at them. Columns go side by side in a vector register, each
-//! by one pass from its station to the root and one back (linear time a column).
+//! The Delassus operator of a strand, J H⁻¹ Jᵀ: how far its loaded material points move under forces at them.
 //!
-//! Symbols as in `elimination` and `response`: a unit force at a station leaves y on the free curvatures of the elements between it and the root;
-//! ψ, ρ and δ are what these do then.
+//! Columns go side by side in a vector register. Each takes one pass from its point to the root and one back, so a column costs
+//! linear time.
+//!
+//! Symbols as in `elimination` and `response`: a unit force at a point leaves y on the free curvatures of the elements between it
+//! and the root; ψ, ρ and δ are the motion that follows.
 
 use super::axes::{axes, for_axes};
 use super::elimination::{Eliminated, Elimination};
@@ -15,20 +17,20 @@ use crate::math::lanes::{F64x4, InstructionSet};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 
-/// The Delassus operator of one strand over its stations, world axes, in Newton's linear model of the step.
+/// The Delassus operator of one strand over its loaded points, world axes, in Newton's linear model of the step.
 #[derive(Debug, Clone, Default)]
 pub struct Delassus {
-    /// How many stations.
+    /// How many loaded points.
     pub stations: usize,
-    /// Column after column, three rows and three columns a station: at `(3 j + b) * 3 * stations + 3 i + a` how far station i moves along axis a for a
-    /// unit force along axis b at station j, m/N. Symmetric to the bit.
+    /// Column after column, three rows and three columns a point: entry `(3 j + b) * 3 * stations + 3 i + a` is how far point i
+    /// moves along axis a under a unit force along axis b at point j, m/N. Symmetric to the bit.
     pub columns: Vec<f64>,
-    scratch: Scratch,
+    scratch: PassScratch,
 }
 
-/// y, element by element, by the type of lanes.
+/// y of every element, for each type of lanes.
 #[derive(Debug, Clone, Default)]
-struct Scratch {
+struct PassScratch {
     #[cfg(target_arch = "x86_64")]
     four: Vec<[F64x4; 3]>,
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
@@ -38,8 +40,8 @@ struct Scratch {
 }
 
 impl Delassus {
-    /// Makes it the operator over the `loads` (from root to tip) of the strand in a lane, after [`Elimination::solve_loaded`] over the curvatures
-    /// `axes` of the same kinematics.
+    /// Computes the operator over the `loads` (ordered from root to tip) of one lane's strand. Call it after
+    /// [`Elimination::solve_loaded`] over the curvatures `axes` of the same kinematics.
     pub fn update<P: Lane>(
         &mut self,
         elimination: &Elimination<P>,
@@ -50,7 +52,7 @@ impl Delassus {
     ) {
         self.stations = loads.len();
         self.columns.resize(9 * loads.len() * loads.len(), 0.0);
-        // The same bits by registers of any width: no column sees another.
+        // Registers of any width give the same bits: columns do not depend on each other.
         #[cfg(target_arch = "x86_64")]
         if InstructionSet::detected() >= InstructionSet::Avx2 {
             return update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.four);
@@ -80,7 +82,8 @@ fn update<P: Lane, T: Lane>(
     make_symmetric(columns, 3 * loads.len());
 }
 
-/// An entry and its mirror image differ by rounding: of two stations' that for a force at the outer one is kept, of one station's own the mean.
+/// Makes the operator symmetric: an entry and its mirror image differ by rounding. Between two points the entry of the outer
+/// point's force is kept; within one point's own block, the mean.
 fn make_symmetric(columns: &mut [f64], size: usize) {
     for column in 0..size {
         let own = column - column % 3;
@@ -98,7 +101,7 @@ fn make_symmetric(columns: &mut [f64], size: usize) {
 struct Columns<'a, P, T, const D: usize, const MASK: u32> {
     done: &'a [Eliminated<P, D>],
     kinematics: &'a Kinematics<P>,
-    /// Where the strand is in the types P; the lanes of T are columns.
+    /// The strand's lane in the types P; the lanes of T are columns.
     lane: usize,
     loads: &'a [Load<f64>],
     scratch: &'a mut Vec<[T; 3]>,
@@ -141,11 +144,11 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
         scratch.resize(count, [T::zero(); 3]);
         let mut first = 0;
         while first < size {
-            // A lane a column; those that there are no more columns for repeat the last.
+            // One column a lane; surplus lanes repeat the last column.
             let at = |lane: usize| (first + lane).min(size - 1);
             let load = |lane: usize| &loads[at(lane) / 3];
             let last = load(T::LANES - 1).element;
-            // What a unit force is to its own element.
+            // What a unit force does to its own element.
             let mut unit = Vec3::<T>::zero();
             let mut local = Vec3::<T>::zero();
             let mut own = [Vec3::<T>::zero(); D];
@@ -157,7 +160,7 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                     own[i].0[r] = T::from_lanes(|lane| load(lane).jacobian.0[r][axes[i]]);
                 }
             }
-            // To the root: moment about, and force at, the left end of each element.
+            // To the root: the moment about the left end of each element, and the force there.
             let (mut moment, mut force) = (Vec3::<T>::zero(), Vec3::<T>::zero());
             for index in (0..=last).rev() {
                 let element = &kinematics.elements[index];
@@ -195,7 +198,7 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                     (moment, force) = (turn.apply(moment), turn.apply(force));
                 }
             }
-            // Back from the root, to the stations up to the columns' own: what those farther out do is known from their columns.
+            // Back from the root, up to each column's own point: symmetry gives the entries farther out.
             let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
             let mut station = 0;
             for index in 0..=last {

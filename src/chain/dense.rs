@@ -1,6 +1,7 @@
-//! The dense reference: the whole 3N×3N matrix assembled from Jacobians and second derivatives, solved by Cholesky's factorisation,
-//! conjugate gradients or singular values, as documents 000 (section 3.4) and 004 (section 5.1.5) did. Cost grows with the cube of the
-//! number of elements: for tests, studies and condition numbers.
+//! The dense reference: the whole 3N×3N matrix, assembled from Jacobians and second derivatives.
+//!
+//! Solvers are Cholesky's factorisation, conjugate gradients (Bertails et al. 2006, section 3.4) and singular values (Bergbom 2007,
+//! section 5.1.5). The cost grows with the cube of the number of elements: for tests, studies and condition numbers.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -10,18 +11,19 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::segment;
 
-/// Which dense solve.
+/// How the dense system is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DenseMethod {
-    /// Cholesky's factorisation; an indefinite matrix is repaired by the sizes of its eigenvalues.
+    /// Cholesky's factorisation; an indefinite matrix is repaired by taking its eigenvalues' magnitudes.
     Cholesky,
-    /// Conjugate gradients, preconditioned by the diagonal, to 1e-12 of the first residual; a direction of negative curvature ends it.
+    /// Conjugate gradients, preconditioned by the diagonal, to 1e-12 of the first residual; they stop at a direction of negative
+    /// curvature.
     ConjugateGradients,
-    /// Singular values; an indefinite matrix is repaired by them. Gives the condition number.
+    /// Singular values; they also repair an indefinite matrix. Gives the condition number.
     SingularValues,
 }
 
-/// The dense solve as one of the chain's.
+/// The dense solve behind the interface of the linear-time one.
 #[derive(Debug, Clone, Copy)]
 pub struct Dense(pub DenseMethod);
 
@@ -47,11 +49,12 @@ pub struct DenseSystem {
     pub matrix: Mat<f64>,
     /// Forces on the free curvatures.
     pub force: Vec<f64>,
-    /// Rotation of every element's right end per freedom, world axes: `turns[element][freedom]`, zero for elements further down.
+    /// Rotation of every element's right end per freedom, world axes: `turns[element][freedom]`; zero for freedoms of elements
+    /// farther out.
     pub turns: Vec<Vec<Vec3<f64>>>,
 }
 
-/// World-axes variations of one element.
+/// Variations of one element in world axes.
 struct Variations {
     psi: [Vec3<f64>; 3],
     jacobian_end: [Vec3<f64>; 3],
@@ -66,7 +69,7 @@ pub fn assemble(kinematics: &Kinematics<f64>, system: &ChainSystem<f64>, axes: &
     let mut matrix = Mat::<f64>::zeros(size, size);
     let mut force = vec![0.0; size];
     let mut jacobian = vec![Vec3::<f64>::zero(); size];
-    // For the geometric terms: Σ J×f over the points from an element on, per freedom.
+    // For the geometric terms: Σ J×f per freedom over the points of an element and all farther out.
     let mut twisted = vec![Vec3::<f64>::zero(); size];
 
     for (index, element) in kinematics.elements.iter().enumerate() {
@@ -95,7 +98,7 @@ pub fn assemble(kinematics: &Kinematics<f64>, system: &ChainSystem<f64>, axes: &
                 twisted[i] += jacobian[i].cross(tension);
             }
             if system.exact {
-                // Own element and elements upstream with themselves; pairs of different elements below, through `twisted`.
+                // An element with itself and with elements upstream; pairs of different elements go through `twisted` below.
                 for i in 0..free {
                     for j in 0..=i {
                         let own_second = second_derivative(axes[i], axes[j], |v| {
@@ -174,7 +177,7 @@ fn second_derivative(i: usize, j: usize, quadratic: impl Fn(Vec3<f64>) -> Vec3<f
     (quadratic(unit(i) + unit(j)) - quadratic(unit(i)) - quadratic(unit(j))).scale(0.5)
 }
 
-/// Assembles and solves; the change of the free curvatures goes to `change`, a row an element.
+/// Assembles and solves. The change of the free curvatures goes to `change`, one row per element.
 pub fn solve(
     kinematics: &Kinematics<f64>,
     system: &ChainSystem<f64>,
@@ -284,7 +287,8 @@ fn by_singular_values(dense: &DenseSystem, repaired: &mut usize, condition: &mut
     let smallest = values.last().copied().unwrap_or(0.0);
     *condition = if smallest > 0.0 { largest / smallest } else { f64::INFINITY };
     let size = values.len();
-    // For a symmetric matrix u = ±v; the sign is the eigenvalue's. V Σ⁻¹ Vᵀ is the matrix repaired by the sizes of its eigenvalues.
+    // For a symmetric matrix u = ±v, where the sign is the eigenvalue's. V Σ⁻¹ Vᵀ is the matrix repaired by its eigenvalues'
+    // magnitudes.
     let (u, v) = (svd.U(), svd.V());
     for k in 0..size {
         let sign: f64 = (0..size).map(|i| u[(i, k)] * v[(i, k)]).sum();

@@ -1,4 +1,4 @@
-//! How the points move, to first order, when the curvatures change: J δκ, in one pass from root to tip.
+//! Displacements of the points to first order in a change of the curvatures, J δκ: one pass from root to tip.
 
 use crate::math::entire::Stumpff;
 use crate::math::lane::Lane;
@@ -6,7 +6,7 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, Kinematics};
 use crate::rod::segment;
 
-/// The sum of the columns `axes` of `matrix`, each times its number of `delta`.
+/// The sum of the columns `axes` of `matrix`, each times its entry of `delta`.
 #[inline(always)]
 fn combine<T: Lane, const D: usize>(matrix: &Mat3<T>, delta: &[T; 3], axes: [usize; D]) -> Vec3<T> {
     let mut sum = matrix.column(axes[0]).scale(delta[axes[0]]);
@@ -29,7 +29,7 @@ pub fn for_each_point<T: Lane>(kinematics: &Kinematics<T>, change: &[[T; 3]], em
     for_each_point_along(kinematics, change, [0, 1, 2], emit);
 }
 
-/// The same where no other curvatures than `axes` change.
+/// The same where only the curvatures `axes` change.
 #[inline(always)]
 pub fn for_each_point_along<T: Lane, const D: usize>(
     kinematics: &Kinematics<T>,

@@ -1,10 +1,11 @@
-//! The elimination of [`super::elimination`], whose symbols are used, for least squares over a strand: fits and poses. Plain numbers, whole
-//! blocks; the steps' own packs symmetric blocks and works on lanes.
+//! The elimination along a strand for least squares (fits and poses), with the symbols of [`super::elimination`].
+//!
+//! It works on plain numbers and whole blocks. The time step's own elimination packs symmetric blocks and works on lanes.
 
 use super::reduced::Reduced;
 use crate::math::vector::{Mat3, Vec3};
 
-/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]` and what pulls.
+/// What lies downstream of a node, as seen from there: `[A B; Bᵀ C]` and its pull.
 #[derive(Clone, Copy)]
 pub(crate) struct Downstream {
     pub a: Mat3<f64>,
@@ -33,8 +34,8 @@ impl Downstream {
         }
     }
 
-    /// Takes an element's freedoms out of what is downstream of its left end: `factor` of their pivot, their coupling to ψ and to ρ there, what
-    /// pulls at them. Those that are not `free` stay.
+    /// Eliminates an element's freedoms from what lies downstream of its left end. Takes the `factor` of their pivot, their
+    /// coupling to ψ and to ρ there, and their pull. Freedoms that are not `free` keep their values.
     pub fn reduce<const D: usize>(
         &mut self,
         factor: [[f64; D]; D],
@@ -55,7 +56,7 @@ impl Downstream {
                 self.force.0[row] -= w[row + 3] * y;
             }
         }
-        // Kept symmetric: without it rounding grows along the strand.
+        // Symmetry is enforced: otherwise rounding errors grow along the strand.
         for m in [&mut self.a, &mut self.c] {
             for i in 0..3 {
                 for j in 0..i {

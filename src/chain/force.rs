@@ -1,4 +1,4 @@
-//! Generalised forces: what forces on the points are to the curvatures, f = Σ Jᵀ f_p, in one pass from tip to root.
+//! Generalised forces of forces on the points, f = Σ Jᵀ f_p: one pass from tip to root.
 
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
@@ -7,7 +7,7 @@ use crate::rod::segment;
 /// Σ Jᵀ f_p for every curvature of every element; `point_force` gives the force on each quadrature point, world axes.
 pub fn generalised(kinematics: &Kinematics<f64>, point_force: impl Fn(usize) -> Vec3<f64>) -> Vec<[f64; 3]> {
     let mut out = vec![[0.0; 3]; kinematics.elements.len()];
-    // Force and moment about the element's right end of all that is downstream, in the axes of that end.
+    // Force and moment about the element's right end of everything downstream, in the axes of that end.
     let (mut force, mut moment) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
     for (index, element) in kinematics.elements.iter().enumerate().rev() {
         // Into the axes of the element's left end.

@@ -1,8 +1,9 @@
-//! Forces on material points between the quadrature points, and on points held out from the strand by a rigid lever: what contact and
-//! constraints pull at. A lever turns with the frame of its place, so that the forces on two or three levers hold a direction or a frame.
+//! Loads at material points: forces between the quadrature points, or at the end of a rigid lever, from contacts and constraints.
 //!
-//! Symbols: s arclength on the element; x the loaded point, its lever l included, in the axes of the element's left end; J its
-//! variation by δκ, J = J_s + (Ψ_s ·)×l.
+//! A lever turns with the material frame at its point, so forces on two or three levers hold a direction or a frame.
+//!
+//! Symbols: s is the arclength on the element; x the loaded point, its lever l included, in the axes of the element's left end; J
+//! its variation by δκ, J = J_s + (Ψ_s ·)×l.
 
 use crate::math::entire::Stumpff;
 use crate::math::lane::Lane;
@@ -17,12 +18,12 @@ pub struct Station {
     pub element: usize,
     /// Arclength from its left end, m.
     pub s: f64,
-    /// The lever, in the axes of the material frame there, m; zero: none.
+    /// The lever, in the axes of the material frame there, m; zero for none.
     pub lever: [f64; 3],
 }
 
 impl Station {
-    /// A point of the strand itself.
+    /// A point on the strand itself.
     pub fn on(element: usize, s: f64) -> Self {
         Self { element, s, lever: [0.0; 3] }
     }
@@ -32,7 +33,8 @@ impl Station {
     }
 }
 
-/// A station in the strand's present shape, in the axes of its element's left end, and the force that its tension is of.
+/// A loaded material point in the strand's present shape, in the axes of its element's left end, and the force that its tension
+/// comes from.
 #[derive(Debug, Clone, Copy)]
 pub struct Load<T> {
     /// Which element.
@@ -45,18 +47,18 @@ pub struct Load<T> {
     pub local: Vec3<T>,
     /// J, all three columns.
     pub jacobian: Mat3<T>,
-    /// l; none where `turning` is none.
+    /// l; meaningless where `turning` is `None`.
     pub lever: Vec3<T>,
     /// Ψ_s where there is a lever.
     pub turning: Option<Mat3<T>>,
-    /// The force whose geometric terms the exact Hessian has.
+    /// The force whose geometric terms enter the exact Hessian.
     pub tension: Vec3<T>,
-    /// Of a spring that holds the loaded point back, K, symmetric: ½ δrᵀ K δr is added to the quadratic model. None: there is no spring.
+    /// Stiffness K of a spring on the loaded point, symmetric: adds ½ δrᵀ K δr to the quadratic model. `None`: no spring.
     pub stiffness: Option<Mat3<T>>,
 }
 
 impl Load<f64> {
-    /// The station in the shape of `elements`; `tension` in world axes.
+    /// The load of a material point in the shape of `elements`; `tension` in world axes.
     pub fn at(elements: &[ElementState<f64>], station: &Station, tension: Vec3<f64>) -> Self {
         let element = &elements[station.element];
         let point = element.point(station.s);
@@ -83,13 +85,13 @@ impl Load<f64> {
         }
     }
 
-    /// The same with a spring of that stiffness (symmetric, world axes, N/m).
+    /// Adds a spring of this stiffness (symmetric, world axes, N/m).
     pub fn with_stiffness(self, elements: &[ElementState<f64>], stiffness: &Mat3<f64>) -> Self {
         let turn = &elements[self.element].frame_left;
         Self { stiffness: Some(turn.transposed_mul(stiffness).mul(turn)), ..self }
     }
 
-    /// Where the loaded point is, relative to the root's origin, world axes.
+    /// Position of the loaded point relative to the root's origin, world axes.
     pub fn position(&self, elements: &[ElementState<f64>]) -> Vec3<f64> {
         let element = &elements[self.element];
         element.origin_left + element.frame_left.apply(self.local)
@@ -97,7 +99,7 @@ impl Load<f64> {
 }
 
 impl<T: Lane> Load<T> {
-    /// What acts on nothing: a lane's where other lanes have a station on that element.
+    /// A load without effect: for a lane whose strand has no load where other lanes do.
     pub fn none(element: usize) -> Self {
         let c =
             Stumpff { c1: T::zero(), c2: T::zero(), c3: T::zero(), c4: T::zero(), c5: T::zero(), c6: T::zero(), c7: T::zero() };
@@ -114,7 +116,7 @@ impl<T: Lane> Load<T> {
         }
     }
 
-    /// Makes it one that acts on nothing, on an element.
+    /// Turns the load into one without effect on `element`.
     #[inline(always)]
     pub fn clear(&mut self, element: usize) {
         self.element = element;
@@ -129,7 +131,7 @@ impl<T: Lane> Load<T> {
         (self.turning, self.stiffness) = (None, None);
     }
 
-    /// Puts a strand's own into its lane.
+    /// Writes one strand's load into its lane.
     #[inline(always)]
     pub fn set_lane(&mut self, lane: usize, from: &Load<f64>) {
         let put = |to: &mut T, from: f64| to.set_lane(lane, from);

@@ -2,19 +2,21 @@
 //!
 //! Files:
 //!
-//! - `axes.rs`: The free curvatures as a constant of the kernels: what no free curvature needs is not computed at all.
-//! - `delassus.rs`: The Delassus operator of a strand, J H⁻¹ Jᵀ: how far its stations move under forces at them.
-//! - `dense.rs`: The dense reference: the whole 3N×3N matrix assembled from Jacobians and second derivatives, solved by Cholesky's factorisation.
-//! - `displacement.rs`: How the points move, to first order, when the curvatures change: J δκ, in one pass from root to tip.
-//! - `downstream.rs`: The elimination of `super::elimination`, whose symbols are used, for least squares over a strand: fits and poses.
+//! - `assembly.rs`: What an element is to its left end: everything downstream, its own points and its loads, and what its free curvatures meet.
+//! - `axes.rs`: The free curvatures as a compile-time constant of the kernels: a kernel computes nothing for a frozen curvature.
+//! - `delassus.rs`: The Delassus operator of a strand, J H⁻¹ Jᵀ: how far its loaded material points move under forces at them.
+//! - `dense.rs`: The dense reference: the whole 3N×3N matrix, assembled from Jacobians and second derivatives.
+//! - `displacement.rs`: Displacements of the points to first order in a change of the curvatures, J δκ: one pass from root to tip.
+//! - `downstream.rs`: The elimination along a strand for least squares (fits and poses), with the symbols of `super::elimination`.
 //! - `elimination.rs`: The linear-time solve: elimination from tip to root, then one pass from root to tip.
-//! - `force.rs`: Generalised forces: what forces on the points are to the curvatures, f = Σ Jᵀ f_p, in one pass from tip to root.
-//! - `load.rs`: Forces on material points between the quadrature points, and on points held out from the strand by a rigid lever.
-//! - `pivot.rs`: The small symmetric pivots of the elimination: Cholesky's factorisation, and the repair of one that is not positive definite.
+//! - `force.rs`: Generalised forces of forces on the points, f = Σ Jᵀ f_p: one pass from tip to root.
+//! - `load.rs`: Loads at material points: forces between the quadrature points, or at the end of a rigid lever, from contacts and constraints.
+//! - `pivot.rs`: The small symmetric pivots of the elimination: Cholesky's factorisation, and a repair for one that is not positive definite.
 //! - `reduced.rs`: An element's freedoms once they are eliminated, and their changes from the left end's: the forward and the back substitution of the solves.
-//! - `response.rs`: The direction that forces at stations lead strands in whose system is eliminated.
-//! - `system.rs`: The quadratic model of one strand that the linear solves share: what pulls at the quadrature points and at the curvatures.
+//! - `response.rs`: The direction that forces at material points add to an eliminated system: one pass from the points to the root and one back, in linear time.
+//! - `system.rs`: The quadratic model of one strand that the linear solves share: springs and forces at the quadrature points and at the curvatures.
 
+mod assembly;
 pub(crate) mod axes;
 pub mod delassus;
 pub mod dense;

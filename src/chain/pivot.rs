@@ -1,9 +1,9 @@
-//! The small symmetric pivots of the elimination: Cholesky's factorisation, and the repair of one that is not positive definite.
+//! The small symmetric pivots of the elimination: Cholesky's factorisation, and a repair for one that is not positive definite.
 
 use crate::math::lane::Lane;
 
-/// The lower Cholesky factor of a symmetric D×D matrix, its diagonal inverted, and the lanes in which every pivot was above `floor`: in
-/// the others the factor means nothing.
+/// The lower Cholesky factor of a symmetric D×D matrix, its diagonal inverted, and the lanes in which every pivot exceeded
+/// `floor`. In the other lanes the factor is meaningless.
 #[inline(always)]
 pub fn cholesky<T: Lane, const D: usize>(matrix: &[[T; D]; D], floor: T) -> ([[T; D]; D], T::Mask) {
     let mut factor = [[T::zero(); D]; D];
@@ -27,8 +27,8 @@ pub fn cholesky<T: Lane, const D: usize>(matrix: &[[T; D]; D], floor: T) -> ([[T
     (factor, good)
 }
 
-/// The pivot's factor; in lanes where it is not positive definite it is repaired, and those lanes are told (1, else 0). `smallest` is the
-/// least stiffness that the element's own curvatures have: nothing smaller is a curvature of the potential worth following.
+/// The pivot's factor, and the lanes in which it had to be repaired because it was not positive definite (1, else 0). `smallest`
+/// is the least stiffness of the element's own curvatures: a smaller eigenvalue is no curvature of the potential worth following.
 #[inline(always)]
 pub fn factorise<T: Lane, const D: usize>(pivot: &[[T; D]; D], smallest: T) -> ([[T; D]; D], T) {
     let (mut factor, good) = cholesky(pivot, T::splat(1e-3) * smallest);
@@ -49,8 +49,8 @@ pub fn factorise<T: Lane, const D: usize>(pivot: &[[T; D]; D], smallest: T) -> (
     (factor, repaired)
 }
 
-/// The factor of a pivot that is not positive definite, repaired. Not finite where the pivot is not: the caller sees a direction that is not
-/// finite, and gives the strand up.
+/// The factor of a repaired pivot. Not finite where the pivot is not: the caller then sees a direction that is not finite, and
+/// gives the strand up.
 #[cold]
 fn repair<const D: usize>(pivot: &[[f64; D]; D], smallest: f64) -> [[f64; D]; D] {
     let mut largest = 0.0_f64;
@@ -114,8 +114,8 @@ fn eigen<const D: usize>(matrix: &[[f64; D]; D]) -> ([f64; D], [[f64; D]; D]) {
     (std::array::from_fn(|i| a[i][i]), vectors)
 }
 
-/// The positive definite matrix nearest in kind: each eigenvalue by its size, none below `floor`. A direction solved with it is one of
-/// descent, and one of much negative curvature is left by a step as long as that curvature asks for.
+/// The matrix with every eigenvalue replaced by its magnitude, and none below `floor`. A direction solved with it is one of
+/// descent, and its step along strong negative curvature is as long as that curvature calls for.
 pub fn reflect<const D: usize>(matrix: &[[f64; D]; D], floor: f64) -> [[f64; D]; D] {
     let (values, vectors) = eigen(matrix);
     let mut out = [[0.0; D]; D];

@@ -1,8 +1,8 @@
-//! The direction that forces at stations lead strands in whose system is eliminated: by one pass from the stations to the root and one back, in
-//! linear time.
+//! The direction that forces at material points add to an eliminated system: one pass from the points to the root and one back,
+//! in linear time.
 //!
-//! Symbols as in `elimination`: u = (ψ, ρ); y what is left of the forces on an element's free curvatures once all downstream of it is
-//! eliminated, L y = JᵀF + ΨᵀM − …; δκ = L⁻ᵀ(y − W u).
+//! Symbols as in `elimination`: u = (ψ, ρ); y is the part of the forces that acts on an element's free curvatures once everything
+//! downstream is eliminated, L y = JᵀF + ΨᵀM − …; δκ = L⁻ᵀ(y − W u).
 
 use super::axes::{axes, for_axes};
 use super::elimination::{Eliminated, Elimination, Walk};
@@ -12,7 +12,7 @@ use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 
-/// Scratch of the passes; kept between calls.
+/// Scratch memory of the passes, kept between calls.
 #[derive(Debug, Clone)]
 pub struct ResponseScratch<T> {
     left_over: Vec<[T; 3]>,
@@ -25,8 +25,8 @@ impl<T> Default for ResponseScratch<T> {
 }
 
 impl<T: Lane> Elimination<T> {
-    /// Newton's direction with the forces `forces` (world axes, N) on the stations `loads`, after [`Elimination::solve_loaded`]. Gives
-    /// how far each station moves along it too.
+    /// Newton's direction with the forces `forces` (world axes, N) at the points of `loads`. Call it after
+    /// [`Elimination::solve_loaded`]. Also gives how far each point moves along it.
     #[allow(clippy::too_many_arguments, reason = "a kernel's operands")]
     pub fn direction(
         &self,
@@ -48,7 +48,7 @@ impl<T: Lane> Elimination<T> {
     }
 }
 
-/// The free columns of a station's J.
+/// The free columns of a loaded point's J.
 #[inline(always)]
 fn free_columns<T: Lane, const D: usize>(load: &Load<T>, axes: [usize; D]) -> [Vec3<T>; D] {
     let mut out = [Vec3::zero(); D];
@@ -58,7 +58,7 @@ fn free_columns<T: Lane, const D: usize>(load: &Load<T>, axes: [usize; D]) -> [V
     out
 }
 
-/// [`Elimination::direction`] for the D free curvatures of MASK an element.
+/// [`Elimination::direction`] for the D free curvatures of MASK.
 struct Towards<'a, T, const D: usize, const MASK: u32> {
     done: &'a [Eliminated<T, D>],
     kinematics: &'a Kinematics<T>,
@@ -91,7 +91,7 @@ fn direction<T: Lane, const D: usize>(
     left_over.resize(count, [T::zero(); 3]);
     let (mut moment, mut force) = (Vec3::<T>::zero(), Vec3::<T>::zero());
     let mut next = loads.len();
-    // Nothing comes to what lies beyond the last station that a force acts on.
+    // Beyond the last point with a force there is nothing to do.
     let acts = |force: &Vec3<T>| (0..T::LANES).any(|lane| force.0.iter().any(|part| part.lane(lane) != 0.0));
     let reach = forces.iter().rposition(acts).map_or(0, |last| loads[last].element + 1);
     while next > 0 && loads[next - 1].element >= reach {
@@ -147,9 +147,9 @@ fn direction<T: Lane, const D: usize>(
             change[index][axes[i]] = delta[i];
         }
         while let Some(load) = loads.get(moved.len()).filter(|load| load.element == index) {
-            let way = element.frame_left.apply(load.moved(psi, rho, Vec3(change[index])));
-            descent += way.dot(forces[moved.len()]);
-            moved.push(way);
+            let displacement = element.frame_left.apply(load.moved(psi, rho, Vec3(change[index])));
+            descent += displacement.dot(forces[moved.len()]);
+            moved.push(displacement);
         }
         walk.pass(element, done, &delta);
     }

@@ -1,26 +1,27 @@
-//! The quadratic model of one strand that the linear solves share: what pulls at the quadrature points and at the curvatures.
+//! The quadratic model of one strand that the linear solves share: springs and forces at the quadrature points and at the
+//! curvatures.
 
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 
-/// A spring at every quadrature point and at every curvature. In the linear solves they are stiffness and force; in Newton's
-/// iteration the forces follow from the targets and the present state.
+/// A spring at every quadrature point and at every curvature. The linear solves read stiffness and force; Newton's iteration
+/// derives the forces from the targets and the present state.
 #[derive(Debug, Clone)]
 pub struct ChainSystem<T> {
     /// Stiffness of each quadrature point, weight included, N/m.
     pub point_stiffness: Vec<T>,
     /// Force on each quadrature point in world axes, weight included, N.
     pub point_force: Vec<Vec3<T>>,
-    /// The forces that the exact Hessian's geometric terms are of, world axes, N; empty: those of `point_force`.
+    /// Forces whose geometric terms enter the exact Hessian, world axes, N; empty for those of `point_force`.
     pub point_tension: Vec<Vec3<T>>,
     /// Stiffness of each curvature of each element, length included, N·m³.
     pub curvature_stiffness: Vec<[T; 3]>,
     /// Generalised force on each curvature of each element, length included, N·m².
     pub curvature_force: Vec<[T; 3]>,
-    /// Stiffness of springs that hold back the rotation of every element's right end, N·m/rad: Levenberg's damping, by rotation.
+    /// Stiffness of springs against the rotation of every element's right end, N·m/rad: Levenberg's damping in rotations.
     pub rotation_stiffness: T,
-    /// Whether tension counts: the exact Hessian's geometric terms of `point_force` are added.
+    /// Whether to add the exact Hessian's geometric terms of `point_force`.
     pub exact: bool,
 }
 
@@ -38,7 +39,7 @@ impl<T: Lane> Default for ChainSystem<T> {
     }
 }
 
-/// What a solve gives back beside the change of the curvatures.
+/// What a solve returns beside the change of the curvatures.
 #[derive(Debug, Clone, Copy)]
 pub struct Direction<T> {
     /// Force·direction: minus the slope of the potential along the direction.
@@ -47,7 +48,7 @@ pub struct Direction<T> {
     pub rotation_squared: T,
     /// Sum of the squared rotations of all elements' right ends, rad².
     pub rotation_sum: T,
-    /// How many pivots were not positive definite and were repaired (dense solves: eigenvalues).
+    /// How many pivots were not positive definite and had to be repaired (dense solves: eigenvalues).
     pub repaired: T,
     /// Condition number of the matrix (dense singular values only; otherwise 0).
     pub condition: f64,
@@ -55,12 +56,12 @@ pub struct Direction<T> {
 
 /// A solver of the chain's linear system.
 pub trait LinearSolve<T> {
-    /// Whether it tells pivots that are not positive, so that damping can hold them back.
+    /// Whether it reports pivots that are not positive, so that damping can respond.
     const DAMPED: bool;
-    /// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
+    /// Limit on an element's turn in one iteration, rad: the quadratic model means nothing beyond it.
     const ROTATION_LIMIT: f64;
 
-    /// The change of the curvatures `axes` (ascending) of every element; the others get 0.
+    /// The change of the curvatures `axes` (ascending) of every element; 0 for the others.
     fn solve(
         &mut self,
         kinematics: &Kinematics<T>,
@@ -77,7 +78,7 @@ impl<T: Lane> ChainSystem<T> {
         if self.point_tension.is_empty() { self.point_force[p] } else { self.point_tension[p] }
     }
 
-    /// Makes room for a strand.
+    /// Resizes everything for a strand.
     #[inline(always)]
     pub fn resize(&mut self, elements: usize, points: usize) {
         self.point_stiffness.resize(points, T::zero());

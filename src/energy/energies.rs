@@ -1,4 +1,4 @@
-//! The energies of a strand.
+//! The energies of a strand: kinetic, elastic and gravitational.
 
 /// Energies of a strand or of all strands, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

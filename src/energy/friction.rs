@@ -1,5 +1,5 @@
-//! Internal friction: (γ + μ EIᵢ)/(2h) (κᵢ − κ_t)² per unit length: γ as in Bertails et al. 2006, eq. 5d; μ Kelvin–Voigt's time
-//! (document 004, eq. 4.28).
+//! Internal friction: (γ + μ EIᵢ)/(2h) (κᵢ − κ_t)² per unit length, with γ as in Bertails et al. 2006, eq. 5d, and the
+//! Kelvin–Voigt time μ as in Bergbom 2007, eq. 4.28.
 
 use super::CurvatureQuadratic;
 use crate::math::lane::Lane;

@@ -5,7 +5,7 @@ use super::PointQuadratic;
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
 
-/// Adds the term for linear density ρS, step h and the point's velocity at the step's start.
+/// Adds the term for linear density ρS, step h and the point's velocity at the start of the step.
 #[inline(always)]
 pub fn add<T: Lane>(quadratic: &mut PointQuadratic<T>, linear_density: T, step: T, velocity: Vec3<T>) {
     let rate = linear_density / step;

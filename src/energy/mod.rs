@@ -1,15 +1,15 @@
-//! The terms of the incremental potential, one file a term.
+//! The terms of the incremental potential, one file per term.
 //!
-//! Per unit of length, each of today's terms is a quadratic in the displacement of a material point from where the step found it
-//! (d = r − r_t), or in the change of a curvature (e = κ − κ_t): ½ stiffness·d² − pull·d. A term adds to the two numbers once a step; the
-//! sum is a spring to one target, so that a term costs nothing in Newton's iterations, and one that is absent costs nothing at all.
+//! Per unit length, each term is a quadratic in the displacement of a material point over the step (d = r − r_t), or in the
+//! change of a curvature (e = κ − κ_t): ½ stiffness·d² − pull·d. A term adds to these two numbers once per step, and their sum is
+//! a spring to one target. So a term costs nothing in Newton's iterations, and an absent one costs nothing at all.
 //!
 //! Files:
 //!
 //! - `drag.rs`: Viscous drag of the air (Bertails et al. 2006, eq. 5a) against a uniform wind: the force −ν (v − wind) per unit length.
 //! - `elastic.rs`: Elastic energy (Bertails et al. 2006, eq. 5c): ½ EIᵢ (κᵢ − κᵢⁿ)² per unit length.
-//! - `energies.rs`: The energies of a strand.
-//! - `friction.rs`: Internal friction: (γ + μ EIᵢ)/(2h) (κᵢ − κ_t)² per unit length: γ as in Bertails et al. 2006, eq. 5d; μ Kelvin–Voigt's time (document 004, eq. 4.28).
+//! - `energies.rs`: The energies of a strand: kinetic, elastic and gravitational.
+//! - `friction.rs`: Internal friction: (γ + μ EIᵢ)/(2h) (κᵢ − κ_t)² per unit length, with γ as in Bertails et al. 2006, eq. 5d.
 //! - `gravity.rs`: Weight (Bertails et al. 2006, eq. 5a): −ρS g·r.
 //! - `inertia.rs`: Inertia of the centreline (Bertails et al. 2006, eq. 5b): ρS/(2h²) |r − (r_t + h v_t)|².
 

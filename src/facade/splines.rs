@@ -12,4 +12,4 @@
 //! ```
 
 pub use crate::math::pose_spline::PoseSpline;
-pub use crate::math::spline::{MOST_POINTS_PER_SPAN, Spline, SplineEnds, SplineKind};
+pub use crate::math::spline::{MAX_POINTS_PER_SPAN, Spline, SplineEnds, SplineKind};

@@ -19,5 +19,5 @@
 //! # Ok::<(), superhelix::Error>(())
 //! ```
 
-pub use crate::styling::tools::MOST_TEETH;
+pub use crate::styling::tools::MAX_TEETH;
 pub use crate::styling::{RingComb, RingCombOptions, RingCombReport, Tool};

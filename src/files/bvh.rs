@@ -1,8 +1,8 @@
-//! Motion capture in Biovision's `.bvh`: a tree of joints, then a row of numbers a frame.
+//! Motion capture in Biovision's `.bvh`: a tree of joints, then one row of numbers per frame.
 //!
 //! A joint's pose in its parent is a translation and then its rotations in the order of its channels (the first channel is the
-//! outermost). The translation is its OFFSET, with those axes replaced for which the joint has a position channel. Angles are in
-//! degrees. Numbers are separated by blanks; where lines end is left to the file.
+//! outermost). The translation is its OFFSET; a position channel replaces its axis of that. Angles are in degrees. Numbers are
+//! separated by whitespace; line ends have no meaning.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -12,7 +12,7 @@ use crate::files::text::{Quote, Text, count, number};
 use crate::math::frame::Frame;
 use crate::math::rotation::from_rotation_vector;
 
-/// What one number of a frame does to its joint.
+/// What one number of a frame changes about its joint.
 #[derive(Clone, Copy, PartialEq)]
 enum Channel {
     Position(usize),
@@ -25,12 +25,12 @@ struct Joint<'a> {
     parent: Option<usize>,
     offset: Option<[f64; 3]>,
     channels: Vec<Channel>,
-    /// The place of its first number in a frame's row.
+    /// The index of its first number in a frame's row.
     first: usize,
 }
 
 /// Reads the world motion of one joint: times (s, from 0) and poses, with positions multiplied by `metres_per_unit`. Without a
-/// name, the first joint with "head" in its name.
+/// name, takes the first joint with "head" in its name.
 pub(super) fn read(name: &str, content: &[u8], joint: Option<&str>, metres_per_unit: f64) -> Result<(Vec<f64>, Vec<Frame>)> {
     let mut text = Text::new(name, content);
     let (joints, row_length) = read_tree(&mut text)?;
@@ -48,7 +48,7 @@ pub(super) fn read(name: &str, content: &[u8], joint: Option<&str>, metres_per_u
     expect(&mut text, "Time:")?;
     let (time_line, word) = text.word("the time of a frame")?;
     let frame_time = number(&text, time_line, "the time of a frame", word)?;
-    // A number and the blank after it take two bytes, so a frame count beyond this is refused before there is memory for it.
+    // A number and the blank after it take two bytes: refuse a larger frame count before allocating for it.
     let least = (u64::from(frame_count) * row_length as u64).saturating_mul(2);
     if least > text.remaining() as u64 + 1 {
         return Err(text.error(
@@ -83,12 +83,12 @@ pub(super) fn read(name: &str, content: &[u8], joint: Option<&str>, metres_per_u
     Ok((times, frames))
 }
 
-/// The tree from HIERARCHY up to and with MOTION, and the number of channels of all joints.
+/// The tree from HIERARCHY through MOTION, and the number of channels of all joints.
 fn read_tree<'a>(text: &mut Text<'a>) -> Result<(Vec<Joint<'a>>, usize)> {
     expect(text, "HIERARCHY")?;
     let mut joints: Vec<Joint<'a>> = Vec::new();
     let mut row_length = 0;
-    // The joints that are open, innermost last; `None` is an end site, which has an offset and no motion.
+    // The open joints, innermost last; `None` for an end site, which has an offset and no motion.
     let mut open: Vec<Option<usize>> = Vec::new();
     loop {
         let (line, word) = text.word("the rest of the tree of joints, and MOTION")?;
@@ -151,7 +151,7 @@ fn read_tree<'a>(text: &mut Text<'a>) -> Result<(Vec<Joint<'a>>, usize)> {
     }
 }
 
-/// A joint's name, which may have blanks in it, up to the brace.
+/// A joint's name, up to the brace; it may contain blanks.
 fn joint_name<'a>(text: &mut Text<'a>, line: usize) -> Result<&'a str> {
     let Some((_, rest)) = text.next_line()? else { return Err(text.error(line, "the file ends; expected a joint's name")) };
     let name = match rest.trim().strip_suffix('{') {
@@ -164,7 +164,7 @@ fn joint_name<'a>(text: &mut Text<'a>, line: usize) -> Result<&'a str> {
     if name.is_empty() { Err(text.error(line, "a joint without a name")) } else { Ok(name) }
 }
 
-/// A number of channels and as many names.
+/// A number of channels, and their names.
 fn read_channels(text: &mut Text<'_>) -> Result<Vec<Channel>> {
     let (line, word) = text.word("a number of channels")?;
     let channel_count = count(text, line, "the number of channels", word)?;
@@ -183,7 +183,7 @@ fn read_channels(text: &mut Text<'_>) -> Result<Vec<Channel>> {
                 return Err(text.error(line, format_args!("channel {}; {expected}", Quote(word))));
             }
         };
-        // An axis may be turned about twice (z, x, z), but has one position.
+        // A joint may turn about the same axis twice (z, x, z), but has one position.
         if matches!(channel, Channel::Position(_)) && channels.contains(&channel) {
             return Err(text.error(line, format_args!("channel {} a second time", Quote(word))));
         }
@@ -192,7 +192,7 @@ fn read_channels(text: &mut Text<'_>) -> Result<Vec<Channel>> {
     Ok(channels)
 }
 
-/// The joints from the root to the one that is wanted.
+/// The joints from the root to the wanted one.
 fn chain_to(name: &str, joints: &[Joint<'_>], wanted: Option<&str>) -> Result<Vec<usize>> {
     let found = match wanted {
         Some(wanted) => joints.iter().position(|joint| joint.name == wanted),
@@ -221,7 +221,7 @@ fn local_pose(joint: &Joint<'_>, row: &[f64]) -> Frame {
             Channel::Position(axis) => origin[*axis] = *value,
             Channel::Rotation(axis) => {
                 let mut turn = Vector3::zeros();
-                // Whole turns say nothing, and a huge angle would lose its digits in radians.
+                // Whole turns are redundant, and a huge angle would lose its digits in radians.
                 turn[*axis] = (value % 360.0).to_radians();
                 rotation *= from_rotation_vector(turn);
             }

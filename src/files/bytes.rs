@@ -1,4 +1,4 @@
-//! Whole files in and out, and little-endian numbers out of bytes.
+//! Reading and writing whole files, and little-endian numbers in bytes.
 
 use std::fs::{self, File};
 use std::io::{Read, Write};
@@ -8,14 +8,14 @@ use super::part_file::PartFile;
 use crate::error::{Error, Result};
 pub(super) use crate::memory::{list, reserve};
 
-/// The most that is read from something without a size of its own (a pipe): 1 GiB.
+/// The most to read from something without a size of its own (a pipe): 1 GiB.
 const PIPE_LIMIT: u64 = 1 << 30;
 
-/// Reads a whole file. Memory is asked for once, of the size that the file system states; a pipe is read to its end, up to
-/// [`PIPE_LIMIT`]. Directories and devices are refused.
+/// Reads a whole file. Allocates once, by the size that the file system reports; reads a pipe to its end, up to [`PIPE_LIMIT`].
+/// Refuses directories and devices.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
     let cannot = |error: std::io::Error| Error::file(path, format_args!("cannot be read: {error}"));
-    // Looked at before it is opened: opening a device may already do something.
+    // Checked before it is opened: opening a device may already have an effect.
     let kind = fs::metadata(path).map_err(cannot)?.file_type();
     if !(kind.is_file() || is_pipe(&kind)) {
         return Err(Error::file(path, if kind.is_dir() { "is a directory" } else { "is neither a file nor a pipe" }));
@@ -26,7 +26,7 @@ pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
     if kind.is_file() {
         let size = usize::try_from(stated).map_err(|_| Error::OutOfMemory { bytes: usize::MAX })?;
         reserve(&mut bytes, size)?;
-        // One more than stated is asked for, so that a file that grows is noticed.
+        // Reads one byte more than the reported size, to notice a file that grows.
         let read = (&mut file).take(stated).read_to_end(&mut bytes).map_err(cannot)?;
         if read != size || file.read(&mut [0]).map_err(cannot)? != 0 {
             return Err(Error::file(path, format_args!("changed while it was read ({size} bytes at first)")));
@@ -60,8 +60,8 @@ fn is_pipe(_kind: &fs::FileType) -> bool {
     false
 }
 
-/// Writes a whole file: to a hidden part beside it first, which then takes the name, so that no reader ever sees half a file. What is there
-/// and is no regular file (a pipe, a device, a link) is written to directly.
+/// Writes a whole file: first to a hidden part file beside it, which then takes its name, so that no reader ever sees half a
+/// file. A target that is not a regular file (a pipe, a device, a link) is written directly.
 pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
     let cannot = |error: std::io::Error| Error::file(path, format_args!("cannot be written: {error}"));
     if fs::symlink_metadata(path).is_ok_and(|there| !there.is_file()) {
@@ -73,20 +73,20 @@ pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
     part.take_name(path).map_err(cannot)
 }
 
-/// A part of a binary file, known to lie inside it.
+/// A part of a binary file, known to be inside it.
 #[derive(Clone, Copy)]
 pub(super) struct Section<'a> {
     /// The file's name, for errors.
     pub name: &'a str,
-    /// Where it begins in the file.
+    /// Its offset in the file.
     pub offset: usize,
     /// Its bytes.
     pub bytes: &'a [u8],
 }
 
 impl<'a> Section<'a> {
-    /// The part of `bytes` that begins at `offset` and holds `count` items of `width` bytes, or the error that the file is too
-    /// short for it. `what` says what the part is: "points".
+    /// The part of `bytes` at `offset` with `count` items of `width` bytes, or the error that the file is too short. `what` names
+    /// the part: "points".
     pub fn of(name: &'a str, bytes: &'a [u8], what: &str, offset: u64, count: u64, width: u64) -> Result<Self> {
         let end = count.checked_mul(width).and_then(|size| offset.checked_add(size));
         match end {
@@ -109,7 +109,7 @@ impl<'a> Section<'a> {
         self.offset + self.bytes.len()
     }
 
-    /// All its floats, `N` to an item, checked to be finite. `what` says what an item is: "point".
+    /// All its floats, `N` per item, checked to be finite. `what` names an item: "point".
     pub fn floats<const N: usize>(&self, what: &str) -> Result<Vec<[f32; N]>> {
         let mut items = list(self.bytes.len() / (4 * N))?;
         for (index, item) in self.bytes.chunks_exact(4 * N).enumerate() {
@@ -132,19 +132,19 @@ impl<'a> Section<'a> {
         Ok(items)
     }
 
-    /// [`Section::floats`] of one float an item.
+    /// [`Section::floats`] with one float per item.
     pub fn singles(&self, what: &str) -> Result<Vec<f32>> {
-        // The items are laid out alike: this is a copy that the compiler sees through.
+        // The layouts are the same: the compiler turns this into a copy.
         Ok(self.floats::<1>(what)?.into_iter().map(|[value]| value).collect())
     }
 }
 
-/// The 32-bit number at a byte. The caller has checked that it is there.
+/// The 32-bit number at an offset that the caller has checked.
 pub(super) fn u32_at(bytes: &[u8], at: usize) -> u32 {
     u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]])
 }
 
-/// The float at a byte. The caller has checked that it is there.
+/// The float at an offset that the caller has checked.
 pub(super) fn f32_at(bytes: &[u8], at: usize) -> f32 {
     f32::from_bits(u32_at(bytes, at))
 }

@@ -1,4 +1,4 @@
-//! A cache in one file: curves over time, with velocities, as time samples of a `.usda` file.
+//! A cache in one file: curves over time, with velocities, as the time samples of a `.usda` file.
 
 use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -12,18 +12,18 @@ use crate::files::usda::{self, LayerHead, Vector};
 use crate::files::usda_layer::Wanted;
 use crate::files::usda_samples::SampledLayer;
 
-/// The curves of a `.usda` file at its time samples. Frames are made when they are asked for; the file stays in memory as it was read.
+/// The curves of a `.usda` file at its time samples. Frames are built on demand; the file stays in memory as read.
 #[derive(Debug)]
 pub struct CurveCache {
     samples: SampledLayer,
 }
 
 impl CurveCache {
-    /// Reads a `.usda` file. Curves that stand still are one frame at time 0.
+    /// Reads a `.usda` file. Static curves are one frame at time 0.
     ///
     /// # Errors
-    /// [`Error::File`], [`Error::OutOfMemory`]: as [`Curves::read`]. What is wrong with the numbers of single frames is found when those
-    /// are made.
+    /// [`Error::File`], [`Error::OutOfMemory`]: as [`Curves::read`]. Errors in the numbers of single frames appear when those are
+    /// built.
     pub fn read(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         Self::read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
@@ -42,12 +42,12 @@ impl CurveCache {
         &self.samples.times
     }
 
-    /// Time codes (frames) a second.
+    /// Time codes (frames) per second.
     pub fn time_codes_per_second(&self) -> f64 {
         self.samples.layer.time_codes_per_second
     }
 
-    /// The curves of a frame, with their velocities (file units a second) where the file has them.
+    /// The curves of a frame, with their velocities (file units per second) where the file has them.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] when there is no such frame; else as [`Curves::read`].
@@ -58,7 +58,8 @@ impl CurveCache {
         }
     }
 
-    /// The curves at a time, s: between frames points, velocities and widths go straight from one to the next, outside they are held.
+    /// The curves at a time, s. Points, velocities and widths are interpolated linearly between frames, and constant before the
+    /// first and after the last.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a time that is not finite; else as [`Curves::read`].
@@ -68,33 +69,32 @@ impl CurveCache {
     }
 }
 
-/// The time code of a time. A frame's number that was divided to a time comes back as the number.
+/// The time code of a time. A frame's number that was divided into a time comes back as that number.
 fn code_of(time: f64, per_second: f64) -> f64 {
     let code = time * per_second;
     if (code - code.round()).abs() <= 2.0 * f64::EPSILON * code.abs() { code.round() } else { code }
 }
 
-/// The time (s) that a reader of a cache finds where a frame was written at `time`: files have time codes, from which it may come back in
-/// another last bit.
+/// The time (s) that a reader of a cache finds for a frame written at `time`. Files have time codes, so its last bit may differ.
 pub fn time_as_read(time: f64, time_codes_per_second: f64) -> f64 {
     code_of(time, time_codes_per_second) / time_codes_per_second
 }
 
-/// Writes curves over time into one `.usda` file, a frame a call. Memory does not grow with the frames but for 32 bytes each. The file
-/// appears when it is finished; dropped before that, nothing is left. A killed process leaves hidden files (`.name.0.part` and on) beside it, which the
-/// next writer of the same path removes.
+/// Writes curves over time into one `.usda` file, one frame per call. Memory grows by 32 bytes per frame. The file appears when
+/// it is finished; dropping the writer earlier leaves nothing. A killed process leaves hidden files (`.name.0.part` and so on)
+/// beside it, which the next writer of the same path removes.
 #[derive(Debug)]
 pub struct CurveCacheWriter {
     path: PathBuf,
     per_second: f64,
     first: Curves,
-    /// The points' samples, and the velocities' if there are any: text in files beside the one that they will be part of.
+    /// The points' samples, and the velocities' if there are any: text in files beside the target.
     points: Option<Spool>,
     velocities: Option<Spool>,
     extents: Vec<(f64, [f32; 3], [f32; 3])>,
 }
 
-/// Text beside the target that is deleted when dropped.
+/// Text beside the target; dropping it deletes the file.
 #[derive(Debug)]
 struct Spool {
     writer: BufWriter<PartFile>,
@@ -127,11 +127,12 @@ impl Spool {
 }
 
 impl CurveCacheWriter {
-    /// Begins a cache. `first` has the curves' numbers of points and what does not change over time (widths, colours, unit, axis); its points
-    /// are not written. `time_codes_per_second` is what the times of frames are counted in, above zero: usually the frames a second.
+    /// Starts a cache. `first` gives the curves' numbers of points and everything constant over time (widths, colours, unit,
+    /// axis); its points are not written. `time_codes_per_second` is the unit of frames' times, above zero: usually the frames
+    /// per second.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`], [`Error::File`] when no file can be made beside `path`.
+    /// [`Error::InvalidArgument`]; [`Error::File`] when no file can be created beside `path`.
     pub fn create(path: impl AsRef<Path>, first: &Curves, time_codes_per_second: f64) -> Result<Self> {
         check_positive(|| "time_codes_per_second".to_owned(), time_codes_per_second)?;
         let path = path.as_ref();
@@ -147,13 +148,13 @@ impl CurveCacheWriter {
         })
     }
 
-    /// Writes a frame: time (s, after that of the frame before), the points of all strands and, if `first` had any, their velocities in
-    /// file units a second.
+    /// Writes a frame: its time (s, after that of the last frame), the points of all strands and, if `first` had any, their
+    /// velocities in file units per second.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a time that is not after the last or not finite, points or velocities that are not as many as those of
-    /// `first` or not finite, and for velocities where `first` had none; [`Error::File`] when it cannot be written. After that error the
-    /// cache is of no further use.
+    /// [`Error::InvalidArgument`] for a time that is not finite or not after the last one, for points or velocities that are not
+    /// finite or not as many as those of `first`, and for velocities where `first` had none; [`Error::File`] when it cannot be
+    /// written. After that error the cache is unusable.
     pub fn write(&mut self, time: f64, points: &[[f32; 3]], velocities: Option<&[[f32; 3]]>) -> Result<()> {
         check_finite(|| "time".to_owned(), time)?;
         let code = code_of(time, self.per_second);
@@ -202,7 +203,7 @@ impl CurveCacheWriter {
         self.extents.len()
     }
 
-    /// Ends the file and puts it in its place.
+    /// Finishes the file and moves it into place.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] when no frame was written; [`Error::File`].

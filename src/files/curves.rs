@@ -1,4 +1,4 @@
-//! A set of polylines as a groom file has them: points in the file's own units, root first.
+//! Curves of a groom file: polylines in the file's own units, root first.
 
 use std::path::Path;
 
@@ -6,30 +6,30 @@ use crate::error::{Error, Result, check_positive};
 use crate::files::hair::HairHeader;
 use crate::files::{bytes, hair, obj, strand_data, tfx, usda};
 
-/// Where a set of curves came from.
+/// The origin of a set of curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CurvesFormat {
-    /// Made in memory, from no file.
+    /// Built in memory, without a file.
     Memory,
     /// Cem Yuksel's `.hair`.
     Hair,
     /// TressFX 2 `.tfx`: text.
     TfxV2Text,
-    /// TressFX 3 `.tfx`: binary, three floats a point.
+    /// TressFX 3 `.tfx`: binary, three floats per point.
     TfxV3,
-    /// TressFX 4 `.tfx`: binary, four floats a point.
+    /// TressFX 4 `.tfx`: binary, four floats per point.
     TfxV4,
     /// Wavefront `.obj` with `v` and `l` lines.
     Obj,
     /// USD as text, `.usda`: its `BasisCurves` and `NurbsCurves`.
     Usda,
-    /// `.data`: counts and points, nothing else.
+    /// `.data`: counts and points, nothing more.
     StrandData,
 }
 
 impl CurvesFormat {
-    /// A short name for people: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "data", "memory".
+    /// A short name for messages: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "data", "memory".
     pub fn name(self) -> &'static str {
         match self {
             CurvesFormat::Memory => "memory",
@@ -43,7 +43,7 @@ impl CurvesFormat {
         }
     }
 
-    /// The format that a file's name asks for by its extension, of those that are written: `.hair`, `.tfx` (version 4), `.obj` or `.usda`.
+    /// The format of a file name's extension, if it can be written: `.hair`, `.tfx` (version 4), `.obj` or `.usda`.
     pub fn of_name(path: impl AsRef<Path>) -> Option<Self> {
         match path.as_ref().extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "hair" => Some(CurvesFormat::Hair),
@@ -58,8 +58,8 @@ impl CurvesFormat {
 /// Polylines in a file's own units, root first. There is at least one strand, every strand has at least two points, and every
 /// number is finite. Points of a strand may coincide, and strands may be shorter than a hair is wide: real grooms have both.
 ///
-/// Only USD states a unit and an up axis ([`Extras::metres_per_unit`], [`Extras::up`]): [`Curves::scaled`] and [`Curves::to_z_up`]
-/// bring grooms into the engine's metres and, where wanted, its default axes.
+/// Only USD has a unit and an up axis ([`Extras::metres_per_unit`], [`Extras::up`]): [`Curves::scaled`] and [`Curves::to_z_up`]
+/// convert grooms to the engine's metres and its default axes.
 ///
 /// ```
 /// use superhelix::io::Curves;
@@ -88,7 +88,8 @@ pub enum UpAxis {
     Z,
 }
 
-/// What a file may say beyond the points. Lists "a point" are in the order of the points, lists "a strand" of the strands.
+/// Optional data of a file beside the points. Lists "per point" follow the order of the points, lists "per strand" that of the
+/// strands.
 ///
 /// ```
 /// use superhelix::io::{Curves, Extras};
@@ -100,47 +101,47 @@ pub enum UpAxis {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extras {
-    /// Thickness (diameter) a point, in file units (`.hair`, `.usda`).
+    /// Thickness (diameter) per point, in file units (`.hair`, `.usda`).
     pub thickness: Option<Vec<f32>>,
-    /// Transparency a point, 0 to 1 (`.hair`, `.usda`).
+    /// Transparency per point, 0 to 1 (`.hair`, `.usda`).
     pub transparency: Option<Vec<f32>>,
-    /// Red, green, blue a point, 0 to 1 (`.hair`, `.tfx`, `.usda`).
+    /// Red, green, blue per point, 0 to 1 (`.hair`, `.tfx`, `.usda`).
     pub colors: Option<Vec<[f32; 3]>>,
-    /// Whether each point is held, that is, moves with the head alone: in `.tfx` 4 the points whose fourth number is 0; in `.tfx`
-    /// 2 and 3, when the file asks for both ends to be held, the first two and the last two points of each strand.
+    /// Whether each point is held, that is, moves with the head alone. In `.tfx` 4 these are the points whose fourth number is 0;
+    /// in `.tfx` 2 and 3, if the file asks for both ends to be held, the first two and the last two points of each strand.
     pub held: Option<Vec<bool>>,
-    /// Velocity a point, file units a second (`.usda`).
+    /// Velocity per point, file units per second (`.usda`).
     pub velocities: Option<Vec<[f32; 3]>>,
-    /// How far along its strand each point lies, file units, from 0 at the root: where the file's curves are more than polylines (`.usda`).
-    /// Longer than the edges are together.
+    /// Arclength of each point along its strand, file units, from 0 at the root, where the file's curves are not polylines
+    /// (`.usda`). It exceeds the total length of the edges.
     pub arclengths: Option<Vec<f32>>,
-    /// Thickness factor a strand (`.tfx` 3 and 4, `.usda` of this library).
+    /// Thickness factor per strand (`.tfx` 3 and 4, `.usda` of this library).
     pub strand_thickness: Option<Vec<f32>>,
-    /// Texture coordinates of the root, a strand (`.tfx`, `.usda`).
+    /// Texture coordinates of the root, per strand (`.tfx`, `.usda`).
     pub strand_uvs: Option<Vec<[f32; 2]>>,
-    /// The rest of a `.hair` file's head, so that it can be written back as it was.
+    /// The rest of a `.hair` file's header, to write it back unchanged.
     pub hair_header: Option<HairHeader>,
-    /// Metres a file unit, where the file states them (`.usda`).
+    /// Metres per file unit, if the file has it (`.usda`).
     pub metres_per_unit: Option<f64>,
-    /// The axis that points up, where the file states it (`.usda`).
+    /// The up axis, if the file has it (`.usda`).
     pub up: Option<UpAxis>,
 }
 
 impl Curves {
-    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines, `.usda` or `.data`, told apart by content first and by the
-    /// name's extension where content does not say. Of a `.usda` file with time samples the first is taken
-    /// ([`CurveCache`](crate::files::curve_cache::CurveCache) has all), and cubic curves are made into points, four a span.
+    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines, `.usda` or `.data`. The content decides the
+    /// format, and the extension where the content does not. A `.usda` file with time samples gives the first
+    /// ([`CurveCache`](crate::files::curve_cache::CurveCache) reads all of them), and cubic curves become points, four per span.
     ///
     /// # Errors
-    /// [`Error::File`] when the file cannot be read, is of no known format, or is truncated, oversized or nonsense: the text
-    /// says where and what was expected. [`Error::OutOfMemory`].
+    /// [`Error::File`] when the file cannot be read, has no known format, or is truncated, oversized or invalid: the text says
+    /// where, and what was expected. [`Error::OutOfMemory`].
     pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
         let path = path.as_ref();
         let bytes = bytes::read_file(path)?;
         Self::read_from_bytes(&path.display().to_string(), &bytes)
     }
 
-    /// [`Curves::read`] from memory. `name` stands for the path in errors, and its extension counts as one.
+    /// [`Curves::read`] from memory. `name` replaces the path in errors, and its extension counts.
     ///
     /// # Errors
     /// As [`Curves::read`].
@@ -167,13 +168,13 @@ impl Curves {
             _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
             _ => Err(Error::file(
                 name,
-                "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
+                "is not a known groom format; expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
             )),
         }
     }
 
-    /// Writes curves to a file whose name ends in .hair, .tfx, .obj or .usda. A .tfx file gets the version that
-    /// [`TfxVersion::of`](tfx::TfxVersion::of) says.
+    /// Writes curves to a file whose name ends in .hair, .tfx, .obj or .usda. [`TfxVersion::of`](tfx::TfxVersion::of) chooses the
+    /// version of a .tfx file.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`path`) for another name; else as the writers of the formats: [`hair::write`], [`tfx::write`],
@@ -189,7 +190,7 @@ impl Curves {
         }
     }
 
-    /// What of these curves a file of that format has no place for, in words: "colours", "velocities". Empty when nothing is lost
+    /// What a file of this format cannot hold of these curves, in words: "colours", "velocities". Empty when nothing is lost
     /// (numbers never are: all formats hold the same floats, opacities of `.usda` to an ulp of 1).
     pub fn lost_in(&self, format: CurvesFormat) -> Vec<&'static str> {
         use CurvesFormat::{Hair, Memory, TfxV2Text, TfxV3, TfxV4, Usda};
@@ -255,10 +256,10 @@ impl Curves {
         Self::from_parts(CurvesFormat::Memory, counts, points, Extras::default())
     }
 
-    /// The same curves with other extras: a thickness for each point of a cache, for example.
+    /// The same curves with other extras: for example a thickness for each point of a cache.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when a list has not one entry a point (or a strand), or a number is not finite.
+    /// [`Error::InvalidArgument`] when a list does not have one entry per point (or strand), or a number is not finite.
     pub fn with_extras(self, extras: Extras) -> Result<Curves> {
         let (points, strands) = (self.point_count(), self.strand_count());
         fn check<const N: usize>(name: &str, list: Option<&[[f32; N]]>, wanted: usize) -> Result<()> {
@@ -299,8 +300,8 @@ impl Curves {
         Ok(Curves { extras, ..self })
     }
 
-    /// Curves of parts that have been checked: at least one strand, counts of at least two that add up to the number of points,
-    /// finite numbers, lists of the right length.
+    /// Curves from checked fields: at least one strand, counts of at least two that add up to the number of points, finite
+    /// numbers, lists of the right length.
     pub(super) fn from_parts(format: CurvesFormat, counts: Vec<u32>, points: Vec<[f32; 3]>, extras: Extras) -> Result<Curves> {
         let mut starts = bytes::list(counts.len() + 1)?;
         let mut start = 0;
@@ -313,7 +314,7 @@ impl Curves {
         Ok(Curves { format, counts, starts, points, extras })
     }
 
-    /// The format that the curves were read from.
+    /// The format that the curves come from.
     pub fn format(&self) -> CurvesFormat {
         self.format
     }
@@ -338,7 +339,7 @@ impl Curves {
         &self.points
     }
 
-    /// Where strand `index` lies in [`Curves::points`], and in the lists of [`Extras`] that have one entry a point.
+    /// The range of strand `index` in [`Curves::points`], and in the per-point lists of [`Extras`].
     ///
     /// # Panics
     /// When there is no such strand.
@@ -349,7 +350,7 @@ impl Curves {
     /// The points of strand `index`, root first, in file units.
     ///
     /// # Panics
-    /// When there is no such strand, as slices do.
+    /// When there is no such strand.
     pub fn strand(&self, index: usize) -> &[[f32; 3]] {
         &self.points[self.strand_range(index)]
     }
@@ -359,7 +360,7 @@ impl Curves {
         self.starts.windows(2).map(|ends| &self.points[ends[0]..ends[1]])
     }
 
-    /// What the file says beyond the points.
+    /// The file's optional data.
     pub fn extras(&self) -> &Extras {
         &self.extras
     }
@@ -381,11 +382,11 @@ impl Curves {
         })
     }
 
-    /// The same curves with every point, arclength, velocity and thickness multiplied by `factor`: given the metres of a file unit, it makes
-    /// metres. Thickness factors ([`Extras::strand_thickness`]) stay.
+    /// The same curves with every point, arclength, velocity and thickness multiplied by `factor`: with the metres per file unit,
+    /// the result is in metres. Thickness factors ([`Extras::strand_thickness`]) stay the same.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when `factor` is not a finite number above zero, or takes a number beyond the range of f32.
+    /// [`Error::InvalidArgument`] when `factor` is not a finite number above zero, or takes a number outside the range of f32.
     pub fn scaled(&self, factor: f64) -> Result<Curves> {
         check_positive(|| "factor".to_owned(), factor)?;
         let mut scaled = self.clone();
@@ -404,8 +405,8 @@ impl Curves {
         Ok(scaled)
     }
 
-    /// The same curves turned from y up to z up: (x, y, z) becomes (x, -z, y). [`crate::files::motion::Motion::to_z_up`] turns
-    /// a motion the same way.
+    /// The same curves turned from y up to z up: (x, y, z) becomes (x, -z, y). [`crate::files::motion::Motion::to_z_up`] turns a
+    /// motion the same way.
     pub fn to_z_up(&self) -> Curves {
         let mut turned = self.clone();
         for vector in turned.points.iter_mut().chain(turned.extras.velocities.iter_mut().flatten()) {

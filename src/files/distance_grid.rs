@@ -1,7 +1,7 @@
-//! Signed distance grids, as `DistanceGrid::bake` makes them.
+//! Files of signed distance grids, as [`DistanceGrid::bake`] makes them.
 //!
-//! Little-endian: `SHXDGRID`, version (u32, 1), nodes along x, y and z (u32 each), lowest node (three f64, m), cell size and band (f64, m),
-//! then the distances (f32, m), x running fastest. Nothing follows.
+//! Little-endian: `SHXDGRID`, version (u32, 1), nodes along x, y and z (u32 each), lowest node (three f64, m), cell size and band
+//! (f64, m), then the distances (f32, m) with x running fastest.
 
 use std::path::Path;
 
@@ -19,20 +19,20 @@ const HEADER: usize = 8 + 4 + 3 * 4 + 5 * 8;
 /// Reads a grid from a file.
 ///
 /// # Errors
-/// [`Error::File`] when it cannot be read, is no grid, is truncated or of another version, or holds a number that is not finite.
+/// [`Error::File`] when it cannot be read, is not a grid, is truncated or of another version, or has a number that is not finite.
 pub fn read(path: impl AsRef<Path>) -> Result<DistanceGrid> {
     let path = path.as_ref();
     read_from_bytes(&path.display().to_string(), &read_file(path)?)
 }
 
-/// [`read`] from memory; `name` stands for the file in errors.
+/// [`read`] from memory; `name` replaces the path in errors.
 ///
 /// # Errors
-/// Those of [`read`].
+/// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<DistanceGrid> {
     let header = Section::of(name, bytes, "header", 0, 1, HEADER as u64)?.bytes;
     if &header[..8] != MAGIC {
-        return Err(Error::file(name, "is no distance grid: it does not begin with SHXDGRID"));
+        return Err(Error::file(name, "is not a distance grid: it does not begin with SHXDGRID"));
     }
     let version = u32_at(header, 8);
     if version != VERSION {
@@ -50,7 +50,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<DistanceGrid> {
     let Some(nodes) = nodes else {
         return Err(Error::file(name, format_args!("has {counts:?} nodes; at most {NODE_LIMIT} are read")));
     };
-    // The room asked for is bounded by the bytes that are there.
+    // The bytes present bound the memory requested.
     let section = Section::of(name, bytes, "distances", HEADER as u64, nodes, 4)?;
     if section.end() != bytes.len() {
         return Err(Error::file(name, format_args!("has {} bytes after its last distance", bytes.len() - section.end())));
@@ -68,12 +68,12 @@ pub fn write(path: impl AsRef<Path>, grid: &DistanceGrid) -> Result<()> {
     write_file(path.as_ref(), &write_to_bytes(grid)?)
 }
 
-/// How many bytes [`write_to_bytes`] makes of a grid with so many nodes along x, y and z.
+/// How many bytes [`write_to_bytes`] makes from a grid with these numbers of nodes along x, y and z.
 pub fn size(counts: [u32; 3]) -> usize {
     HEADER + 4 * counts.iter().map(|count| *count as usize).product::<usize>()
 }
 
-/// A grid as bytes; [`read_from_bytes`] gives back the same grid, bit for bit.
+/// A grid as bytes; [`read_from_bytes`] restores the same grid, bit for bit.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
@@ -84,7 +84,7 @@ pub fn write_to_bytes(grid: &DistanceGrid) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The bytes of a grid, a piece after the other.
+/// The bytes of a grid, piece after piece.
 pub(crate) fn write_in_pieces(grid: &DistanceGrid, mut put: impl FnMut(&[u8])) {
     put(MAGIC);
     put(&VERSION.to_le_bytes());

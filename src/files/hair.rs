@@ -1,12 +1,12 @@
 //! Cem Yuksel's `.hair` files.
 //!
-//! A head of 128 bytes (little-endian): the letters `HAIR`; number of strands, number of points, a mask and the default number
+//! A header of 128 bytes (little-endian): the letters `HAIR`; number of strands, number of points, a mask and the default number
 //! of segments as 32-bit unsigned numbers; default thickness, transparency and three colour values as floats; 88 bytes of text.
 //! Then, each only if its bit of the mask is set and in this order: bit 0, segments of each strand (16-bit; a strand has one
-//! point more); bit 1, points (three floats); bit 2, thickness and bit 3, transparency (one float a point); bit 4, colours
-//! (three floats a point).
+//! point more); bit 1, points (three floats); bit 2, thickness and bit 3, transparency (one float per point); bit 4, colours
+//! (three floats per point).
 //!
-//! The head says exactly how long the file is, so a shorter file is refused as truncated and a longer one as oversized.
+//! The header determines the file's length: a shorter file is refused as truncated and a longer one as oversized.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::files::bytes::{self, Section, f32_at, u32_at};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
 
-/// Bytes of the head.
+/// Bytes of the header.
 const HEAD: usize = 128;
 /// Bits of the mask.
 const SEGMENTS: u32 = 1;
@@ -23,25 +23,25 @@ const THICKNESS: u32 = 4;
 const TRANSPARENCY: u32 = 8;
 const COLORS: u32 = 16;
 
-/// What the head of a `.hair` file says beside the counts.
+/// The header of a `.hair` file, beside the counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HairHeader {
-    /// Segments of every strand when the file does not list them; otherwise only kept.
+    /// Segments of every strand when the file does not list them; otherwise unused.
     pub default_segments: u32,
-    /// Whether the file lists the segments of each strand, although all may be the same.
+    /// Whether the file lists the segments of each strand, even if all are equal.
     pub lists_segments: bool,
-    /// Thickness where the file gives none a point, file units.
+    /// Thickness where the file has none per point, file units.
     pub thickness: f32,
-    /// Transparency where the file gives none a point, 0 to 1.
+    /// Transparency where the file has none per point, 0 to 1.
     pub transparency: f32,
-    /// Red, green and blue where the file gives none a point, 0 to 1.
+    /// Red, green and blue where the file has none per point, 0 to 1.
     pub color: [f32; 3],
     /// Free text, padded with zeros.
     pub info: [u8; 88],
 }
 
 impl Default for HairHeader {
-    /// A human hair 80 micrometres thick (in metres), opaque and brown.
+    /// A human hair of 80 micrometres (in metres), opaque and brown.
     fn default() -> Self {
         let mut info = [0; 88];
         let text = b"written by superhelix; metres";
@@ -59,14 +59,14 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
     read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read`] from memory. `name` stands for the path in errors.
+/// [`read`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
     if bytes.len() < HEAD {
-        return error(format_args!("truncated: the head of a .hair file has {HEAD} bytes, and the file has {}", bytes.len()));
+        return error(format_args!("truncated: the header of a .hair file has {HEAD} bytes, and the file has {}", bytes.len()));
     }
     if &bytes[..4] != b"HAIR" {
         return error(format_args!("begins with the bytes {:02x?}; expected the letters HAIR", &bytes[..4]));
@@ -94,7 +94,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
         info: std::array::from_fn(|index| bytes[40 + index]),
     };
 
-    // All sections are placed, and the file's length with them, before anything is allocated.
+    // Finds all sections, and so the file's length, before anything is allocated.
     let mut end = HEAD as u64;
     let mut next = |bit: u32, what: &str, count: u32, width: u64| -> Result<Option<Section<'_>>> {
         if mask & bit == 0 {
@@ -110,7 +110,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     let transparency = next(TRANSPARENCY, "transparencies", points, 4)?;
     let colors = next(COLORS, "colours", points, 12)?;
     if end != bytes.len() as u64 {
-        return error(format_args!("oversized: by its head the file ends at byte {end}, and it has {} bytes", bytes.len()));
+        return error(format_args!("oversized: by its header the file ends at byte {end}, and it has {} bytes", bytes.len()));
     }
 
     let counts = counts(name, strands, points, default_segments, segments)?;
@@ -125,7 +125,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::Hair, counts, point_section.floats("point")?, extras)
 }
 
-/// The number of points of each strand, which add up to `points`.
+/// The number of points of each strand; they add up to `points`.
 fn counts(name: &str, strands: u32, points: u32, default_segments: u32, segments: Option<Section<'_>>) -> Result<Vec<u32>> {
     let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
     let Some(segments) = segments else {
@@ -138,7 +138,7 @@ fn counts(name: &str, strands: u32, points: u32, default_segments: u32, segments
                 "{strands} strands of {default_segments} segments have {total} points, and the number of points at byte 8 is {points}"
             ));
         }
-        // Each strand has at least two points, which were found in the file: this list is smaller than the file.
+        // Each strand has at least two points, found in the file: this list is smaller than the file.
         let mut counts = bytes::list(strands as usize)?;
         counts.resize(strands as usize, default_segments + 1);
         return Ok(counts);
@@ -174,18 +174,18 @@ fn head_float(name: &str, bytes: &[u8], at: usize, what: &str) -> Result<f32> {
     }
 }
 
-/// Writes curves as a `.hair` file, with the thickness, transparency, colours and head that they carry. Curves that were read
-/// from a `.hair` file give the same bytes.
+/// Writes curves as a `.hair` file, with their thickness, transparency, colours and header. Curves read from a `.hair` file give
+/// the same bytes.
 ///
 /// # Errors
-/// [`Error::File`] naming the path when it cannot be written, or when the curves have more than the format can say: 65536 points
-/// on a strand where strands differ, 4294967295 points in all.
+/// [`Error::File`] naming the path when it cannot be written, or when the curves exceed the format: 65536 points on a strand
+/// where strands differ, 4294967295 points in total.
 pub fn write(path: impl AsRef<Path>, curves: &Curves) -> Result<()> {
     let path = path.as_ref();
     bytes::write_file(path, &write_to_bytes(&path.display().to_string(), curves)?)
 }
 
-/// [`write()`] into memory. `name` stands for the path in errors.
+/// [`write()`] into memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`write()`].

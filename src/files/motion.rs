@@ -9,7 +9,7 @@ use crate::files::{bvh, bytes, motion_csv};
 use crate::math::frame::Frame;
 use crate::math::pose_spline::PoseSpline;
 
-/// How to read a motion.
+/// Options for reading a motion.
 ///
 /// ```
 /// use superhelix::io::MotionOptions;
@@ -20,11 +20,11 @@ use crate::math::pose_spline::PoseSpline;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotionOptions {
-    /// `.bvh` only: the joint whose motion is wanted, by its exact name. `None`: the first joint whose name contains "head",
-    /// in capitals or not.
+    /// `.bvh` only: the joint to read, by its exact name. `None`: the first joint whose name contains "head", in upper or lower
+    /// case.
     pub joint: Option<String>,
-    /// `.bvh` only: metres a file unit, a finite number above zero. `None`: 1, the file is taken to be in metres. Motion capture
-    /// is often in centimetres (0.01) or inches (0.0254), and the files do not say.
+    /// `.bvh` only: metres per file unit, a finite number above zero. `None`: 1, for a file in metres. Motion capture is often in
+    /// centimetres (0.01) or inches (0.0254), and the files do not say so.
     pub metres_per_unit: Option<f64>,
 }
 
@@ -33,7 +33,7 @@ impl MotionOptions {
         self.metres_per_unit.map_or(Ok(()), |scale| check_positive(|| "metres_per_unit".to_owned(), scale))
     }
 
-    /// Refuses what a table has no use for, rather than reading it as if it had not been asked.
+    /// Refuses options that a table cannot use, rather than ignoring them.
     fn check_unused(&self, name: &str) -> Result<()> {
         if let Some(joint) = &self.joint {
             return Err(Error::invalid("joint", format!("{joint:?}"), format!("none: {name} is a table of one motion")));
@@ -45,7 +45,7 @@ impl MotionOptions {
     }
 }
 
-/// A rigid motion: poses at increasing times, smooth in between, held before the first and after the last.
+/// A rigid motion: poses at increasing times, smooth in between, at rest before the first and after the last.
 ///
 /// ```
 /// use superhelix::Frame;
@@ -64,7 +64,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Reads a motion with [`MotionOptions`] that name at most the joint.
+    /// Reads a motion; of the [`MotionOptions`] only the joint may be given.
     ///
     /// # Errors
     /// As [`Motion::read_with`].
@@ -75,15 +75,15 @@ impl Motion {
     /// Reads a motion from a `.csv` table with the header `time_s,px_m,py_m,pz_m,qw,qx,qy,qz`, or from a `.bvh` file.
     ///
     /// # Errors
-    /// [`crate::error::Error::File`] with the line number; [`crate::error::Error::InvalidArgument`] for options that are out of
-    /// range or that the format has no use for; [`crate::error::Error::OutOfMemory`].
+    /// [`crate::error::Error::File`] with the line number; [`crate::error::Error::InvalidArgument`] for options out of range or
+    /// without meaning for the format; [`crate::error::Error::OutOfMemory`].
     pub fn read_with(path: impl AsRef<Path>, options: &MotionOptions) -> Result<Motion> {
         let path = path.as_ref();
         options.check()?;
         Self::read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?, options)
     }
 
-    /// [`Motion::read_with`] from memory. `name` stands for the path in errors, and its extension counts as one.
+    /// [`Motion::read_with`] from memory. `name` replaces the path in errors, and its extension counts.
     ///
     /// # Errors
     /// As [`Motion::read_with`].
@@ -95,7 +95,7 @@ impl Motion {
             "csv" => false,
             _ if bytes.trim_ascii_start().starts_with(b"HIERARCHY") => true,
             _ if bytes.trim_ascii_start().starts_with(b"time_s") => false,
-            _ => return Err(Error::file(name, "is of no known motion format: expected .csv or .bvh")),
+            _ => return Err(Error::file(name, "is not a known motion format; expected .csv or .bvh")),
         };
         let (times, frames) = if is_bvh {
             bvh::read(name, bytes, options.joint.as_deref(), options.metres_per_unit.unwrap_or(1.0))?
@@ -103,7 +103,7 @@ impl Motion {
             options.check_unused(name)?;
             motion_csv::read(name, bytes)?
         };
-        // The readers have checked the samples one by one; what is left is their differences.
+        // The readers have checked each sample; their differences remain.
         Self::from_samples(times, frames).map_err(|error| Error::file(name, error))
     }
 
@@ -130,7 +130,7 @@ impl Motion {
         self.spline.duration()
     }
 
-    /// The pose at a time (s): exact at samples, smooth in between, held outside. See [`PoseSpline::at`].
+    /// The pose at a time (s): exact at samples, smooth in between, constant outside. See [`PoseSpline::at`].
     pub fn at(&self, time: f64) -> Frame {
         self.spline.at(time)
     }
@@ -145,13 +145,13 @@ impl Motion {
         &self.spline
     }
 
-    /// The same motion in axes with z up, of one with y up: (x, y, z) becomes (x, -z, y) in the world and in the moving frame
-    /// alike, so that an unturned frame stays unturned. [`crate::files::curves::Curves::to_z_up`] turns a groom the same way.
+    /// The same motion with z up instead of y up: (x, y, z) becomes (x, -z, y) both in the world and in the moving frame, so that
+    /// an unturned frame stays unturned. [`crate::files::curves::Curves::to_z_up`] turns a groom the same way.
     pub fn to_z_up(&self) -> Motion {
         Motion {
             spline: self.spline.map_frames(|frame| {
                 let (origin, q) = (frame.origin, frame.rotation.quaternion());
-                // A quarter turn about x on both sides of the rotation: the axis turns along, the angle stays.
+                // A quarter turn about x on both sides of the rotation: its axis turns along, its angle stays.
                 Frame {
                     origin: Vector3::new(origin.x, -origin.z, origin.y),
                     rotation: UnitQuaternion::new_unchecked(Quaternion::new(q.w, q.i, -q.k, q.j)),

@@ -1,4 +1,4 @@
-//! A motion as a table: `time_s,px_m,py_m,pz_m,qw,qx,qy,qz`, one sample a line, under that header.
+//! A motion as a table: one sample per line under the header `time_s,px_m,py_m,pz_m,qw,qx,qy,qz`.
 
 use crate::error::{Error, Result};
 use crate::files::text::{Quote, Text, number};

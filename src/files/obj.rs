@@ -1,7 +1,7 @@
 //! Wavefront OBJ with polylines: `v x y z` for each point, `l a b c ...` for each strand.
 //!
-//! Groups, objects, materials and comments are read past; faces and all else that is no polyline is refused, as are points that
-//! are on no line. Meshes are read by [`obj_mesh`](super::obj_mesh).
+//! The reader skips groups, objects, materials and comments. It refuses faces and everything else that is not a polyline, and
+//! points on no line. [`obj_mesh`](super::obj_mesh) reads meshes.
 
 use std::io::Write;
 use std::path::Path;
@@ -21,12 +21,12 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
     read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read`] from memory. `name` stands for the path in errors.
+/// [`read`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
-    // A first pass counts, so that memory is asked for once and no larger than the file warrants.
+    // A first pass counts, so that one allocation of the right size is enough.
     let (mut vertex_count, mut line_count, mut index_count) = (0, 0, 0);
     let mut text = Text::new(name, bytes);
     while let Some((_, content)) = text.next_full_line()? {
@@ -95,8 +95,8 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::Obj, counts, points, Extras::default())
 }
 
-/// Writes curves as one OBJ frame: a `v` line a point, then an `l` line a strand. Numbers are written so that reading them
-/// gives the same floats. Thickness, colours and the like have no place in it.
+/// Writes curves as one OBJ frame: one `v` line per point, then one `l` line per strand. Reading the numbers back gives the same
+/// floats. The format cannot hold thickness, colours and the like.
 ///
 /// # Errors
 /// [`Error::File`] naming the path when it cannot be written.
@@ -107,7 +107,7 @@ pub fn write(path: impl AsRef<Path>, curves: &Curves) -> Result<()> {
 /// [`write()`] into memory.
 pub fn write_to_bytes(curves: &Curves) -> Vec<u8> {
     let mut out = Vec::with_capacity(40 * curves.point_count());
-    // Writing to a Vec cannot fail, so its results say nothing.
+    // Writing to a Vec cannot fail, so results can be ignored.
     let _ = writeln!(out, "# superhelix: {} strands, {} points", curves.strand_count(), curves.point_count());
     for [x, y, z] in curves.points() {
         let _ = writeln!(out, "v {x} {y} {z}");

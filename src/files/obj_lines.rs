@@ -1,14 +1,14 @@
-//! What the readers of Wavefront OBJ share: curves and meshes.
+//! Line parsing of Wavefront OBJ that the readers of curves and meshes share.
 
-/// First words of lines that say nothing about points.
+/// First words of lines without meaning for points.
 pub(super) const LEFT: [&str; 5] = ["o", "g", "s", "usemtl", "mtllib"];
 
-/// Whether a line's first word is one that is read past.
+/// Whether to skip a line with this first word.
 pub(super) fn is_left(word: &str) -> bool {
     LEFT.contains(&word) || word.starts_with('#')
 }
 
-/// The place of a vertex that a line names, of `known` above it: from 1 on, or from -1 backwards.
+/// The index of a vertex that a line names, of `known` above it: numbers count from 1, or backwards from -1.
 pub(super) fn vertex_index(word: &str, known: usize) -> Option<usize> {
     let index = word.parse::<i64>().ok()?;
     let index = if index < 0 { (known as i64).checked_add(index)? } else { index - 1 };

@@ -1,8 +1,8 @@
 //! Wavefront OBJ with faces: `v x y z` for each vertex, `f a b c ...` for each triangle or polygon.
 //!
-//! Groups, objects, materials, normals and comments are read past, as is what stands after x, y and z (a weight, a colour). Polygons are cut
-//! into triangles. Lines, points and curved surfaces are refused. Texture coordinates are for those who ask for them ([`read_textured`]):
-//! contact does not need them, and a file is not refused for them there.
+//! The reader skips groups, objects, materials, normals and comments, and whatever follows x, y and z (a weight, a colour). It
+//! cuts polygons into triangles, and refuses lines, points and curved surfaces. Only [`read_textured`] reads texture coordinates:
+//! contact does not need them, and no mesh for contact is refused for them.
 
 use std::path::Path;
 
@@ -14,15 +14,15 @@ use crate::files::obj_lines::{is_left, vertex_index};
 use crate::files::polygon;
 use crate::files::text::{Quote, Text, number};
 
-/// Most corners of a face: the work of cutting a polygon grows with their square.
+/// Most corners of a face: the cost of cutting a polygon grows with their square.
 pub const MAX_CORNERS: usize = 1000;
 
 /// First words of lines about vertices that a mesh for contact does not need.
 const OF_VERTICES: [&str; 3] = ["vn", "vt", "vp"];
 
-/// A triangle mesh in a file's own units, as [`Shape::new_mesh`](crate::contact::shape::Shape::new_mesh) takes it once it is scaled to
-/// metres. Every number is finite, every index is one of a vertex, the three of a triangle differ. Whether the mesh is closed, and its
-/// triangles have areas, is for the shape to say.
+/// A triangle mesh in a file's own units; scaled to metres, [`Shape::new_mesh`](crate::contact::shape::Shape::new_mesh) takes it.
+/// Every number is finite, every index is that of a vertex, and the three of a triangle differ. The shape checks that the mesh is
+/// closed and that its triangles have areas.
 ///
 /// ```
 /// use superhelix::Shape;
@@ -37,9 +37,9 @@ const OF_VERTICES: [&str; 3] = ["vn", "vt", "vp"];
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjMesh {
-    /// Vertices in file units, in the file's order; some may be on no triangle.
+    /// Vertices in file units, in the file's order; some may belong to no triangle.
     pub vertices: Vec<Vector3<f64>>,
-    /// Triangles, three indices of vertices each (from 0), wound as the file's faces are.
+    /// Triangles, three vertex indices each (from 0), wound like the file's faces.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -48,8 +48,8 @@ pub struct ObjMesh {
 pub struct Texture {
     /// u and v, in the file's order.
     pub coordinates: Vec<[f64; 2]>,
-    /// For each triangle of the mesh the coordinates of its corners, as indices (from 0): one vertex may have several, so that seams may run
-    /// through the mesh.
+    /// For each triangle the indices (from 0) of its corners' coordinates. One vertex may have several, so seams may run through
+    /// the mesh.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -60,18 +60,18 @@ impl Texture {
     }
 }
 
-/// Reads the faces of an OBJ file. May be called from any thread.
+/// Reads the faces of an OBJ file; any thread may call it.
 ///
 /// # Errors
-/// [`Error::File`] naming the path when the file cannot be read, is no OBJ, has no faces, more than 2³² − 2 vertices or triangles, a face of
-/// fewer than 3 or more than [`MAX_CORNERS`] corners or one that names a vertex twice, or a polygon that cannot be cut into triangles
-/// (it crosses itself, or has no area); where there is one, the line is named. [`Error::OutOfMemory`].
+/// [`Error::File`] naming the path, and the line where there is one: when the file cannot be read, is not an OBJ, has no faces,
+/// has more than 2³² − 2 vertices or triangles, has a face of fewer than 3 or more than [`MAX_CORNERS`] corners or one that names
+/// a vertex twice, or a polygon that cannot be cut into triangles (it crosses itself, or has no area). [`Error::OutOfMemory`].
 pub fn read(path: impl AsRef<Path>) -> Result<ObjMesh> {
     let path = path.as_ref();
     read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read`] from memory. `name` stands for the path in errors.
+/// [`read`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read`].
@@ -79,17 +79,17 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<ObjMesh> {
     Ok(read_parts(name, bytes, false)?.0)
 }
 
-/// Reads the faces and their texture coordinates (`vt u v`; v is 0 where there is none, a third number is read past); none where a corner of
-/// a face has none.
+/// Reads the faces and their texture coordinates (`vt u v`; v defaults to 0, a third number is skipped). `None` if a corner of a
+/// face has none.
 ///
 /// # Errors
-/// As [`read`], and for coordinates that are no finite numbers or a corner that names one that is not above its line.
+/// As [`read`], and for coordinates that are not finite or a corner that names one not above its line.
 pub fn read_textured(path: impl AsRef<Path>) -> Result<(ObjMesh, Option<Texture>)> {
     let path = path.as_ref();
     read_textured_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read_textured`] from memory. `name` stands for the path in errors.
+/// [`read_textured`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read_textured`].
@@ -98,7 +98,7 @@ pub fn read_textured_from_bytes(name: &str, bytes: &[u8]) -> Result<(ObjMesh, Op
 }
 
 fn read_parts(name: &str, bytes: &[u8], textured: bool) -> Result<(ObjMesh, Option<Texture>)> {
-    // A first pass counts, so that memory is asked for once and no larger than the file warrants.
+    // A first pass counts, so that one allocation of the right size is enough.
     let (mut vertex_count, mut coordinate_count, mut triangle_count) = (0, 0, 0);
     let mut text = Text::new(name, bytes);
     while let Some((_, content)) = text.next_full_line()? {
@@ -123,7 +123,7 @@ fn read_parts(name: &str, bytes: &[u8], textured: bool) -> Result<(ObjMesh, Opti
     let mut vertices: Vec<Vector3<f64>> = bytes::list(vertex_count)?;
     let mut triangles = bytes::list(triangle_count)?;
     let mut coordinates: Vec<[f64; 2]> = bytes::list(coordinate_count)?;
-    // As long as all corners have one.
+    // As long as every corner has one.
     let mut texture: Option<Vec<[u32; 3]>> = if textured { Some(bytes::list(triangle_count)?) } else { None };
     let (mut corners, mut sorted): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
     let mut texture_corners: Vec<Option<u32>> = Vec::new();
@@ -162,7 +162,7 @@ fn read_parts(name: &str, bytes: &[u8], textured: bool) -> Result<(ObjMesh, Opti
                     ));
                 }
                 if let Some(list) = &mut texture {
-                    // A face names each of its vertices once: the vertex tells the corner.
+                    // A face names each of its vertices once: the vertex identifies the corner.
                     let of = |vertex: &u32| corners.iter().position(|corner| corner == vertex).and_then(|at| texture_corners[at]);
                     for [a, b, c] in &triangles[first..] {
                         match (of(a), of(b), of(c)) {
@@ -199,7 +199,7 @@ fn coordinate(text: &Text<'_>, line: usize, content: &str) -> Result<[f64; 2]> {
     }
 }
 
-/// The texture coordinate of a face's corner, if it names one.
+/// The texture coordinate of a face's corner, if it has one.
 fn texture_corner(text: &Text<'_>, line: usize, word: &str, known: usize) -> Result<Option<u32>> {
     let Some(part) = word.split('/').nth(1).filter(|part| !part.is_empty()) else { return Ok(None) };
     match vertex_index(part, known) {
@@ -211,7 +211,7 @@ fn texture_corner(text: &Text<'_>, line: usize, word: &str, known: usize) -> Res
     }
 }
 
-/// A vertex's place. What stands after it may be a weight, a colour, or both.
+/// A vertex's position. A weight, a colour, or both may follow it.
 fn vertex(text: &Text<'_>, line: usize, content: &str) -> Result<Vector3<f64>> {
     let mut words = content.split_ascii_whitespace().skip(1);
     let row: [&str; 3] = std::array::from_fn(|_| words.next().unwrap_or_default());

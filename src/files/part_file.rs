@@ -1,5 +1,6 @@
-//! Files that are written beside the one that they will become: no reader ever sees half a file, and what a killed writer left behind is
-//! removed by the next writer of the same path.
+//! Part files: a file is written under a hidden name beside its target, so that no reader ever sees half of it.
+//!
+//! The next writer of the same path removes what a killed writer left behind.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -8,11 +9,11 @@ use std::path::{Path, PathBuf};
 use crate::error::{Error, Result};
 use crate::platform::process_id;
 
-/// Parts of one target at a time, of all its writers.
+/// The most parts of one target at a time, over all its writers.
 const PARTS: u32 = 16;
 
-/// A hidden file beside the target. A lock says that its writer lives: the system releases it when the process ends, however it ends. Dropped,
-/// the file is removed.
+/// A hidden file beside the target. A lock shows that its writer lives: the system releases it when the process ends, however it
+/// ends. Dropping it removes the file.
 #[derive(Debug)]
 pub(super) struct PartFile {
     path: PathBuf,
@@ -20,7 +21,7 @@ pub(super) struct PartFile {
 }
 
 impl PartFile {
-    /// A part of `target`, open for reading and writing. Parts of the same target whose writers are dead are removed.
+    /// A part of `target`, open for reading and writing. Removes parts of the same target whose writers have died.
     pub fn create(target: &Path) -> Result<Self> {
         if target.file_name().is_none() {
             return Err(Error::file(target, "cannot be written: it has no file name"));
@@ -40,7 +41,7 @@ impl PartFile {
         made.ok_or_else(|| io::Error::new(io::ErrorKind::AlreadyExists, format!("{PARTS} others are writing it")))
     }
 
-    /// A new file of that name, locked; nothing where another writer has the name.
+    /// A new file of this name, locked; `None` if another writer has the name.
     fn own(path: &Path) -> io::Result<Option<Self>> {
         let create = |path: &Path| File::options().read(true).write(true).create_new(true).open(path);
         let file = match create(path) {
@@ -49,9 +50,9 @@ impl PartFile {
         };
         match file.try_lock() {
             Ok(()) if is_at(&file, path) => Ok(Some(Self { path: path.to_owned(), file })),
-            // Another writer took it for stale before it was locked.
+            // Another writer took the file for stale before it was locked.
             Ok(()) | Err(TryLockError::WouldBlock) => Ok(None),
-            // No locks on this file system: a name that no other process has.
+            // This file system has no locks: use a name that no other process has.
             Err(TryLockError::Error(_)) => {
                 drop(file);
                 fs::remove_file(path)?;
@@ -61,7 +62,7 @@ impl PartFile {
         }
     }
 
-    /// Puts the file in the target's place.
+    /// Moves the file to the target's name.
     pub fn take_name(self, target: &Path) -> io::Result<()> {
         fs::rename(&self.path, target)
     }
@@ -79,7 +80,7 @@ impl io::Write for PartFile {
 
 impl Drop for PartFile {
     fn drop(&mut self) {
-        // Nothing can be done about a failure here, and nothing depends on it; after a rename there is no such file.
+        // Nothing can be done about a failure here, and nothing depends on it; after a rename the file is gone.
         if is_at(&self.file, &self.path) {
             let _ = fs::remove_file(&self.path);
         }
@@ -93,7 +94,7 @@ fn part_path(target: &Path, number: u32) -> PathBuf {
     target.with_file_name(name)
 }
 
-/// Removes a part that nobody holds a lock on. What cannot be opened stays: the write itself says what is wrong.
+/// Removes a part without a lock. A file that cannot be opened stays: the write itself reports what is wrong.
 fn remove_stale(path: &Path) {
     if fs::symlink_metadata(path).is_ok_and(|there| there.is_file())
         && let Ok(file) = File::options().read(true).write(true).open(path)
@@ -104,7 +105,7 @@ fn remove_stale(path: &Path) {
     }
 }
 
-/// Whether an open file is the one that has this name.
+/// Whether an open file is the one with this name.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -150,7 +151,7 @@ mod tests {
         drop(second);
         assert_eq!(names(), [".other.usda.0.part", "hair.usda"]);
         assert_eq!(fs::read(&target).expect("the file"), b"whole");
-        // As many as there may be, and one more.
+        // The largest number, and one more.
         let all: Vec<_> = (0..PARTS).map(|_| PartFile::create(&target).expect("a part")).collect();
         assert!(PartFile::create(&target).expect_err("one too many").to_string().contains("16 others are writing it"));
         drop(all);

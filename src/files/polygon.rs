@@ -1,16 +1,16 @@
-//! Polygons in space cut into triangles, ear by ear (Meisters 1975), as seen along the normal of their area (Newell).
+//! Triangulation of polygons in space, ear by ear (Meisters 1975), as seen along the normal of their area (Newell).
 
 use nalgebra::Vector3;
 
-/// A vertex that stands twice among a face's, which are sorted for it.
+/// A vertex that a face names twice. Sorts the corners.
 pub(super) fn named_twice(corners: &mut [u32]) -> Option<u32> {
     corners.sort_unstable();
     corners.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
-/// Cuts a polygon of three corners or more into two triangles less than it has corners, wound as it is, onto `out`. Of the ears it takes the
-/// one whose cut is shortest. False when there is none left to take: the polygon crosses itself or has no area; `out` may have some by
-/// then. A triangle is taken as it is.
+/// Cuts a polygon of at least three corners into two triangles fewer than it has corners, with its winding, onto `out`. Takes the
+/// ear with the shortest cut first. False if no ear is left: the polygon crosses itself or has no area, and `out` may have some
+/// triangles. A triangle is taken as it is.
 pub(super) fn cut(vertices: &[Vector3<f64>], corners: &[u32], out: &mut Vec<[u32; 3]>) -> bool {
     if let [a, b, c] = *corners {
         out.push([a, b, c]);
@@ -20,7 +20,7 @@ pub(super) fn cut(vertices: &[Vector3<f64>], corners: &[u32], out: &mut Vec<[u32
     let mut left: Vec<usize> = (0..corners.len()).collect();
     let mut cuts: Vec<f64> = (0..left.len()).map(|at| cut_length(&flat, &left, at)).collect();
     while left.len() > 3 {
-        // The first of the shortest; infinity is no ear.
+        // The first of the shortest; infinity marks a corner that is no ear.
         let mut at = 0;
         for candidate in 1..left.len() {
             if cuts[candidate] < cuts[at] {
@@ -34,7 +34,7 @@ pub(super) fn cut(vertices: &[Vector3<f64>], corners: &[u32], out: &mut Vec<[u32
         out.push([left[before], left[at], left[after]].map(|corner| corners[corner]));
         left.remove(at);
         cuts.remove(at);
-        // An ear that is gone changes its neighbours only: what else lies in the way of a cut still does.
+        // A cut ear changes only its neighbours: other obstacles to a cut remain.
         let count = left.len();
         for neighbour in [(at + count - 1) % count, at % count] {
             cuts[neighbour] = cut_length(&flat, &left, neighbour);
@@ -44,10 +44,10 @@ pub(super) fn cut(vertices: &[Vector3<f64>], corners: &[u32], out: &mut Vec<[u32
     turn(&flat, left[0], left[1], left[2]) > 0.0
 }
 
-/// The corners in the plane in which their polygon's area is largest, anticlockwise; none if it has no area.
+/// The corners in the plane in which their polygon's area is largest, anticlockwise; `None` if it has no area.
 fn flatten(vertices: &[Vector3<f64>], corners: &[u32]) -> Option<Vec<[f64; 2]>> {
     let at = |index: usize| vertices[corners[index % corners.len()] as usize];
-    // About a corner and by the size of the polygon: large coordinates keep their digits.
+    // Relative to a corner and to the polygon's size: large coordinates keep their digits.
     let first = at(0);
     let size = (1..corners.len()).map(|index| (at(index) - first).amax()).fold(0.0, f64::max);
     let of = |index: usize| (at(index) - first) / size;
@@ -68,7 +68,7 @@ fn turn(flat: &[[f64; 2]], a: usize, b: usize, c: usize) -> f64 {
     (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
 }
 
-/// The square of the length of the cut that takes a corner off; infinite if it is no ear.
+/// The squared length of the cut that removes a corner; infinite if the corner is no ear.
 fn cut_length(flat: &[[f64; 2]], left: &[usize], at: usize) -> f64 {
     let [before, after] = beside(left.len(), at);
     let (a, b, c) = (left[before], left[at], left[after]);
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn polygons_are_covered_once() {
-        // A star, a comb with a collinear spine, a spiral; in a plane that is askew.
+        // A star, a comb with a collinear spine, a spiral; in an oblique plane.
         let star: Vec<[f64; 2]> = (0..14)
             .map(|index| {
                 let (angle, radius) = (f64::from(index) * std::f64::consts::TAU / 14.0, if index % 2 == 0 { 1.0 } else { 0.2 });
@@ -141,7 +141,7 @@ mod tests {
                 assert!(cut(&vertices, &corners, &mut triangles));
                 assert_eq!(triangles.len(), polygon.len() - 2);
                 let (sum, absolute) = area(&vertices, &triangles);
-                // Equal to the polygon's, and no triangle wound against the others: nothing is covered twice.
+                // Equal to the polygon's, and no triangle wound against the others: none overlap.
                 assert!((sum - 1e-4 * shoelace.abs()).abs() < 1e-9 * sum.max(1e-4), "{sum} {shoelace}");
                 assert!((sum - absolute).abs() < 1e-9 * sum);
             }
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_polygon_is_told() {
+    fn invalid_polygons_are_reported() {
         let bow = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| Vector3::new(x, y, 0.0));
         assert!(!cut(&bow, &[0, 1, 2, 3], &mut Vec::new()));
         let line = [0.0, 1.0, 2.0, 3.0].map(|x| Vector3::new(x, 0.0, 0.0));

@@ -1,4 +1,4 @@
-//! A recorded curve as a table: `time_s`, one column that is measured, and where the root was, if that was recorded.
+//! A recorded curve as a table: `time_s`, one measured column, and the root's position if it was recorded.
 
 use std::path::Path;
 
@@ -8,14 +8,14 @@ use crate::error::{Error, Result};
 use crate::files::bytes;
 use crate::files::text::{Quote, Text, number};
 
-/// What the measured column holds; its name in the header.
+/// What the measured column holds; its name is in the header.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measured {
     /// `span_m`: distance from root to tip, m.
     Span,
-    /// `depth_m`: how far the tip hangs below the root, m.
+    /// `depth_m`: depth of the tip below the root, m.
     Depth,
-    /// `offset_m`: how far the tip is from the root along a direction, m.
+    /// `offset_m`: offset of the tip from the root along a direction, m.
     Offset,
     /// `angle_rad`: the angle of the chord from root to tip against gravity, rad.
     Angle,
@@ -25,7 +25,7 @@ const MEASURED: [(&str, Measured); 4] =
     [("span_m", Measured::Span), ("depth_m", Measured::Depth), ("offset_m", Measured::Offset), ("angle_rad", Measured::Angle)];
 const ROOT: [&str; 3] = ["root_x_m", "root_y_m", "root_z_m"];
 
-/// A recorded curve, as the file has it.
+/// A recorded curve, as in the file.
 ///
 /// ```
 /// use superhelix::io::{Measured, RecordedCurve};
@@ -38,16 +38,16 @@ const ROOT: [&str; 3] = ["root_x_m", "root_y_m", "root_z_m"];
 pub struct RecordedCurve {
     /// Times, s, strictly increasing.
     pub times: Vec<f64>,
-    /// As many numbers.
+    /// One measured value per time.
     pub values: Vec<f64>,
-    /// What the numbers are.
+    /// What the values are.
     pub measured: Measured,
     /// The root's position in the world at each time, m, if it was recorded.
     pub root: Option<Vec<Vector3<f64>>>,
 }
 
 impl RecordedCurve {
-    /// Reads a `.csv` file whose header is `time_s`, one of `span_m`, `depth_m`, `offset_m`, `angle_rad`, and either nothing more or
+    /// Reads a `.csv` file with the header `time_s`, one of `span_m`, `depth_m`, `offset_m`, `angle_rad`, and optionally
     /// `root_x_m,root_y_m,root_z_m`.
     ///
     /// # Errors
@@ -57,7 +57,7 @@ impl RecordedCurve {
         Self::read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
     }
 
-    /// [`RecordedCurve::read`] from memory. `name` stands for the path in errors.
+    /// [`RecordedCurve::read`] from memory. `name` replaces the path in errors.
     ///
     /// # Errors
     /// As [`RecordedCurve::read`].

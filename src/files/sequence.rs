@@ -1,4 +1,4 @@
-//! A cache: simulated frames as a sequence of files, `stem.0001.obj`, `stem.0002.obj` and so on.
+//! A cache as a sequence of files: simulated frames in `stem.0001.obj`, `stem.0002.obj` and so on.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,16 +26,16 @@ impl CacheFormat {
     }
 }
 
-/// What to do with frames of the same stem and format that a directory already holds.
+/// What to do with frames of the same stem and format in the directory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
-    /// Refuse to begin.
+    /// Refuse to start.
     Refuse,
-    /// Delete them first, so that frames of an earlier, longer run are not left behind the new ones.
+    /// Delete them first, so that no frames of an earlier, longer run remain after the new ones.
     Replace,
 }
 
-/// Writes a cache, one frame a call.
+/// Writes a cache, one frame per call.
 ///
 /// ```
 /// use superhelix::io::{CacheFormat, Curves, Existing, Sequence, SequenceWriter};
@@ -63,12 +63,12 @@ pub struct SequenceWriter {
 }
 
 impl SequenceWriter {
-    /// Begins a sequence `directory/stem.NNNN.ext`; makes the directory if it is not there. The first frame's number is
+    /// Starts a sequence `directory/stem.NNNN.ext`; creates the directory if it does not exist. The first frame has the number
     /// `first_frame`; numbers have at least four digits.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a stem that is empty or has a path separator in it; [`Error::File`] when the directory
-    /// cannot be made, read or cleared, or holds frames of this name and `existing` is [`Existing::Refuse`].
+    /// cannot be created, read or cleared, or has frames of this name and `existing` is [`Existing::Refuse`].
     pub fn create(
         directory: impl AsRef<Path>,
         stem: &str,
@@ -94,10 +94,10 @@ impl SequenceWriter {
         Ok(Self { directory: directory.to_owned(), stem: stem.to_owned(), format, next: Some(first_frame), written: 0 })
     }
 
-    /// Writes the next frame and gives its path.
+    /// Writes the next frame and returns its path.
     ///
     /// # Errors
-    /// [`Error::File`] naming the path; the frame is then not there, and the next call tries the same number.
+    /// [`Error::File`] naming the path; the frame is then absent, and the next call tries the same number.
     pub fn write(&mut self, curves: &Curves) -> Result<PathBuf> {
         let Some(number) = self.next else {
             return Err(Error::file(self.directory.join(&self.stem), format_args!("frame {} was the last possible", u32::MAX)));
@@ -126,7 +126,7 @@ impl SequenceWriter {
     }
 }
 
-/// A cache on disk: the frames that a directory holds, in order.
+/// A cache on disk: the frames in a directory, in order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
     frames: Vec<(u32, PathBuf)>,
@@ -136,8 +136,8 @@ impl Sequence {
     /// Lists the frames `directory/stem.NNNN.ext` by number.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a stem that is empty or has a path separator in it; [`Error::File`] when the directory cannot
-    /// be read, holds no such frame, holds one twice, or one is missing in between.
+    /// [`Error::InvalidArgument`] for a stem that is empty or has a path separator in it; [`Error::File`] when the directory
+    /// cannot be read, has no such frame, has one twice, or misses one in between.
     pub fn list(directory: impl AsRef<Path>, stem: &str, format: CacheFormat) -> Result<Self> {
         check_stem(stem)?;
         let directory = directory.as_ref();
@@ -149,7 +149,7 @@ impl Sequence {
         for pair in frames.windows(2) {
             let ((before, _), (after, path)) = (&pair[0], &pair[1]);
             if before == after {
-                return Err(Error::file(path, format_args!("is frame {after}, which is there a second time")));
+                return Err(Error::file(path, format_args!("is frame {after}, which exists twice")));
             }
             let wanted = u64::from(*before) + 1;
             if u64::from(*after) != wanted {
@@ -182,7 +182,7 @@ fn check_stem(stem: &str) -> Result<()> {
     if plain { Ok(()) } else { Err(Error::invalid("stem", format!("{stem:?}"), "a file name without path separators")) }
 }
 
-/// The files of a directory that are frames of a stem and format, by number.
+/// The files of a directory that are frames of this stem and format, by number.
 fn find(directory: &Path, stem: &str, format: CacheFormat) -> Result<Vec<(u32, PathBuf)>> {
     let cannot = |error: std::io::Error| Error::file(directory, format_args!("cannot be listed: {error}"));
     let mut frames = Vec::new();

@@ -1,6 +1,8 @@
-//! `.data` files of strands, as the hair data sets of the University of Southern California and Digital Salon have them: the number of strands as a
-//! 32-bit number, then for each strand its number of points as another and that many triples of floats, all little-endian. Root first; no unit, no
-//! axis, nothing else. Read, not written: every other format says more.
+//! `.data` files of strands, as in the hair data sets of the University of Southern California and of Digital Salon.
+//!
+//! The number of strands as a 32-bit number, then for each strand its number of points as another and as many triples of floats,
+//! all little-endian. Root first; no unit, no axis. The library reads them and does not write them: every other format holds
+//! more.
 
 use std::path::Path;
 
@@ -11,14 +13,14 @@ use crate::files::curves::{Curves, CurvesFormat, Extras};
 /// Reads a `.data` file.
 ///
 /// # Errors
-/// [`Error::File`], [`Error::OutOfMemory`]: see [`Curves::read`]. A strand of a single point, which some such data sets have for hairs
-/// that were not grown, is refused as every strand of fewer than two points is.
+/// [`Error::File`], [`Error::OutOfMemory`]: see [`Curves::read`]. Some data sets have strands of a single point for hairs that
+/// were not grown. Like every strand of fewer than two points they are refused.
 pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
     let path = path.as_ref();
     read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read`] from memory. `name` stands for the path in errors.
+/// [`read`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read`].
@@ -28,7 +30,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     if strands == 0 {
         return error(format_args!("the number of strands at byte 0 is 0; expected at least one"));
     }
-    // All strands are placed, and the file's length with them, before anything is allocated: the lists are smaller than the file.
+    // Finds all strands, and so the file's length, before anything is allocated: the lists are smaller than the file.
     let (mut end, mut points) = (4_u64, 0_usize);
     for strand in 0..strands {
         let section = strand_at(name, bytes, strand, end)?;
@@ -49,7 +51,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::StrandData, counts, all, Extras::default())
 }
 
-/// The points of a strand whose number of points stands at byte `at`.
+/// The points of a strand whose number of points is at byte `at`.
 fn strand_at<'a>(name: &'a str, bytes: &'a [u8], strand: u32, at: u64) -> Result<Section<'a>> {
     let count = u32_at(Section::of(name, bytes, "numbers of points of a strand", at, 1, 4)?.bytes, 0);
     if count < 2 {

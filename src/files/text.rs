@@ -1,10 +1,10 @@
-//! Lines and words of text files, with the line numbers that errors name.
+//! Lines and words of text files, with line numbers for errors.
 
 use std::fmt;
 
 use crate::error::{Error, Result};
 
-/// Walks through a text file line by line or word by word.
+/// Reads a text file line by line or word by word.
 #[derive(Clone)]
 pub(super) struct Text<'a> {
     name: &'a str,
@@ -18,7 +18,7 @@ impl<'a> Text<'a> {
         Self { name, bytes, at: 0, line: 1 }
     }
 
-    /// Bytes that have not been read.
+    /// Unread bytes.
     pub fn remaining(&self) -> usize {
         self.bytes.len() - self.at
     }
@@ -37,7 +37,7 @@ impl<'a> Text<'a> {
         Ok(Some((number, self.utf8(number, line.strip_suffix(b"\r").unwrap_or(line))?)))
     }
 
-    /// The next line that has anything but blanks on it.
+    /// The next line that is not blank.
     pub fn next_full_line(&mut self) -> Result<Option<(usize, &'a str)>> {
         while let Some((number, line)) = self.next_line()? {
             if !line.trim().is_empty() {
@@ -47,7 +47,7 @@ impl<'a> Text<'a> {
         Ok(None)
     }
 
-    /// The next word (what stands between blanks) and its line; `None` at the end of the file.
+    /// The next word (delimited by whitespace) and its line; `None` at the end of the file.
     pub fn next_word(&mut self) -> Result<Option<(usize, &'a str)>> {
         while let Some(byte) = self.bytes.get(self.at)
             && byte.is_ascii_whitespace()
@@ -64,7 +64,7 @@ impl<'a> Text<'a> {
         Ok(Some((self.line, self.utf8(self.line, &rest[..length])?)))
     }
 
-    /// The next word, or the error that the file ends where `expected` should stand.
+    /// The next word, or the error that the file ends where `expected` should be.
     pub fn word(&mut self, expected: &str) -> Result<(usize, &'a str)> {
         match self.next_word()? {
             Some(word) => Ok(word),
@@ -72,7 +72,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The line at which reading has arrived.
+    /// The current line.
     pub fn line(&self) -> usize {
         self.line
     }
@@ -94,7 +94,7 @@ pub(super) fn line_error(name: &str, line: usize, reason: impl fmt::Display) -> 
     Error::file(name, format_args!("line {line}: {reason}"))
 }
 
-/// A piece of a file as an error quotes it: in quotes, and not longer than a reader wants.
+/// A piece of a file as an error quotes it: in quotes, and of readable length.
 pub(super) struct Quote<'a>(pub &'a str);
 
 impl fmt::Display for Quote<'_> {
@@ -106,7 +106,7 @@ impl fmt::Display for Quote<'_> {
     }
 }
 
-/// A number out of a word: finite, or an error that says what it should be.
+/// A finite number from a word, or an error that says what it should be.
 pub(super) fn number(text: &Text<'_>, line: usize, what: &str, word: &str) -> Result<f64> {
     match word.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
@@ -114,7 +114,7 @@ pub(super) fn number(text: &Text<'_>, line: usize, what: &str, word: &str) -> Re
     }
 }
 
-/// A number as [`number`], rounded once, to single precision, and finite there.
+/// Like [`number`], rounded once to single precision, and finite there.
 pub(super) fn single(text: &Text<'_>, line: usize, what: &str, word: &str) -> Result<f32> {
     match word.parse::<f32>() {
         Ok(value) if value.is_finite() => Ok(value),
@@ -122,7 +122,7 @@ pub(super) fn single(text: &Text<'_>, line: usize, what: &str, word: &str) -> Re
     }
 }
 
-/// A count or index out of a word, or an error that says what it should be.
+/// A count or index from a word, or an error that says what it should be.
 pub(super) fn count(text: &Text<'_>, line: usize, what: &str, word: &str) -> Result<u32> {
     word.parse()
         .map_err(|_| text.error(line, format_args!("{what} is {}; expected a whole number from 0 to 4294967295", Quote(word))))

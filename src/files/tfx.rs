@@ -1,8 +1,8 @@
-//! TressFX `.tfx` files, read and written: which of the three versions one is.
+//! TressFX `.tfx` files: tells the three versions apart, reads and writes them.
 //!
-//! Version 2 is text, versions 3 and 4 are binary. Points, held points, thickness, colours and the texture coordinates of roots are
-//! kept where the version has them. Texture coordinates a point and lists of guides are checked to lie in the file and left there;
-//! settings for the generation of further hairs between the guides are left as well.
+//! Version 2 is text, versions 3 and 4 are binary. Points, held points, thickness, colours and the texture coordinates of roots
+//! are kept where the version has them. Texture coordinates per point and lists of guides are checked to lie in the file and
+//! skipped, as are settings for the generation of further hairs between the guides.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
     read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read`] from memory. `name` stands for the path in errors.
+/// [`read`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read`].
@@ -50,16 +50,16 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
 /// The version of a `.tfx` file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TfxVersion {
-    /// TressFX 2: text; strands may differ in their number of points.
+    /// TressFX 2: text; strands may have different numbers of points.
     V2,
-    /// TressFX 3: binary, all strands have as many points.
+    /// TressFX 3: binary, all strands have equal numbers of points.
     V3,
-    /// TressFX 4: binary, all strands have as many points; says of each whether it is held.
+    /// TressFX 4: binary, all strands have equal numbers of points; has a held flag for each point.
     V4,
 }
 
 impl TfxVersion {
-    /// The version that curves were read from; of others the newest in which their strands can be written.
+    /// The version that curves were read from; for other curves the newest that can hold their strands.
     pub fn of(curves: &Curves) -> Self {
         match curves.format() {
             CurvesFormat::TfxV2Text => TfxVersion::V2,
@@ -71,22 +71,22 @@ impl TfxVersion {
     }
 }
 
-/// Writes curves as a `.tfx` file of that version, with what of the extras it has a place for ([`Curves::lost_in`] says what it has not).
-/// Version 3 and 4 files whose sections are in the order of their heads, without gaps and without what is left when reading, give the
-/// same bytes when read and written; version 2 files the same numbers.
+/// Writes curves as a `.tfx` file of this version, with the extras that it can hold ([`Curves::lost_in`] lists the others).
+/// Version 3 and 4 files give the same bytes when read and written if their sections follow the order of their headers, without
+/// gaps and without skipped data; version 2 files give the same numbers.
 ///
-/// Version 2 and 3 know held points only as "both ends of every strand or not"; held points that are neither are lost there. A version 4
-/// file must say which points are held: where the curves do not, the roots are.
+/// Versions 2 and 3 can only hold both ends of every strand or nothing; other held points are lost. A version 4 file must say
+/// which points are held: if the curves do not, the roots are.
 ///
 /// # Errors
-/// [`Error::File`] naming the path when it cannot be written, or when the curves have more than the format can say: strands that differ in
-/// their number of points (versions 3 and 4), more than 4 GiB.
+/// [`Error::File`] naming the path when it cannot be written, or when the curves exceed the format: strands with different
+/// numbers of points (versions 3 and 4), more than 4 GiB.
 pub fn write(path: impl AsRef<Path>, curves: &Curves, version: TfxVersion) -> Result<()> {
     let path = path.as_ref();
     bytes::write_file(path, &write_to_bytes(&path.display().to_string(), curves, version)?)
 }
 
-/// [`write()`] into memory. `name` stands for the path in errors.
+/// [`write()`] into memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`write()`].
@@ -98,7 +98,7 @@ pub fn write_to_bytes(name: &str, curves: &Curves, version: TfxVersion) -> Resul
     }
 }
 
-/// Whether curves hold the first two and the last two points of every strand, and no others.
+/// Whether exactly the first two and the last two points of every strand are held.
 pub(super) fn holds_both_ends(curves: &Curves) -> bool {
     let Some(held) = &curves.extras().held else { return false };
     (0..curves.strand_count()).all(|strand| {
@@ -107,18 +107,18 @@ pub(super) fn holds_both_ends(curves: &Curves) -> bool {
     })
 }
 
-/// Whether these bytes begin a version 2 file.
+/// Whether these bytes start a version 2 file.
 pub(super) fn is_text(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"version")
 }
 
-/// Whether these bytes begin a version 3 or 4 file.
+/// Whether these bytes start a version 3 or 4 file.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     bytes.len() >= 4 && [3.0, 4.0].contains(&f32_at(bytes, 0))
 }
 
-/// Which points are held in a file of version 2 or 3 that asks for both ends to be held: TressFX then holds the first two and the
-/// last two of every strand. Without that request it holds the first two always, which says nothing of this file: `None`.
+/// The held points of a file of version 2 or 3 that asks for both ends to be held: TressFX then holds the first two and the last
+/// two of every strand. Otherwise TressFX always holds the first two, which says nothing about this file: `None`.
 pub(super) fn held_ends(both: bool, counts: &[u32], points: usize) -> Result<Option<Vec<bool>>> {
     if !both {
         return Ok(None);

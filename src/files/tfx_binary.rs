@@ -1,28 +1,29 @@
-//! TressFX 3 and 4 `.tfx` files: a head of numbers and byte offsets, then sections.
+//! TressFX 3 and 4 `.tfx` files: a header of numbers and byte offsets, then sections.
 //!
-//! Version 3: version (a float), number of strands, points a strand, followers a guide, one byte "both ends held" in four, 31
-//! reserved words; byte offsets of points (three floats), thickness (a float a strand), texture coordinates (two floats a
-//! strand), colours (four floats a point), guide indices (a word a strand), texture coordinates a point; 32 reserved words.
-//! Version 4: version, number of strands, points a strand; byte offsets of points (four floats: x, y, z and w, which is 0 on held
-//! points), texture coordinates (a strand), texture coordinates a point, thickness (a strand), colours (a point); 32 reserved
-//! words. An offset of 0 means that the section is not there.
+//! Version 3: version (a float), number of strands, points per strand, followers per guide, a one-byte flag "both ends held" in
+//! four bytes, 31 reserved words; byte offsets of points (three floats), thickness (a float per strand), texture coordinates (two
+//! floats per strand), colours (four floats per point), guide indices (a word per strand), texture coordinates per point; 32
+//! reserved words. Version 4: version, number of strands, points per strand; byte offsets of points (four floats: x, y, z and w,
+//! which is 0 on held points), texture coordinates (per strand), texture coordinates per point, thickness (per strand), colours
+//! (per point); 32 reserved words. An offset of 0 means that the section is absent.
 //!
-//! Sections may stand in any order and have gaps between them, but may not overlap each other or the head. More than seven bytes
-//! after the last one (sections are aligned to eight) are refused as oversized: a strand count that is too small looks like that.
+//! Sections may be in any order and have gaps between them, but may not overlap each other or the header. More than seven bytes
+//! after the last one (sections are aligned to eight) are refused as oversized: this is how a strand count that is too small
+//! looks.
 
 use crate::error::{Error, Result};
 use crate::files::bytes::{self, Section, u32_at};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
 use crate::files::tfx::{held_ends, holds_both_ends};
 
-/// Bytes of a version 3 head.
+/// Bytes of a version 3 header.
 const HEAD_V3: usize = 296;
-/// Bytes of a version 4 head.
+/// Bytes of a version 4 header.
 const HEAD_V4: usize = 160;
 /// Bytes that may follow the last section.
 const PADDING: usize = 7;
 
-/// What both versions' heads say, and the sections found so far.
+/// The common contents of both versions' headers, and the sections found so far.
 struct Head<'a> {
     name: &'a str,
     bytes: &'a [u8],
@@ -39,7 +40,7 @@ impl<'a> Head<'a> {
             return Err(Error::file(
                 name,
                 format_args!(
-                    "truncated: the head of a version {version} .tfx file has {length} bytes, and the file has {}",
+                    "truncated: the header of a version {version} .tfx file has {length} bytes, and the file has {}",
                     bytes.len()
                 ),
             ));
@@ -58,7 +59,7 @@ impl<'a> Head<'a> {
         Ok(Self { name, bytes, length, strands, points, points_each, sections: Vec::new() })
     }
 
-    /// The section whose offset stands at byte `at`; `None` if the file has none.
+    /// The section whose offset is at byte `at`; `None` if the file has none.
     fn section(&mut self, at: usize, what: &'static str, count: u64, width: u64) -> Result<Option<Section<'a>>> {
         let offset = u32_at(self.bytes, at);
         if offset == 0 {
@@ -67,7 +68,10 @@ impl<'a> Head<'a> {
         if (offset as usize) < self.length {
             return Err(Error::file(
                 self.name,
-                format_args!("the {what} (offset at byte {at}) begin at byte {offset}, inside the head of {} bytes", self.length),
+                format_args!(
+                    "the {what} (offset at byte {at}) begin at byte {offset}, inside the header of {} bytes",
+                    self.length
+                ),
             ));
         }
         let section = Section::of(self.name, self.bytes, what, u64::from(offset), count, width)?;
@@ -89,7 +93,7 @@ impl<'a> Head<'a> {
         Ok(Some(section))
     }
 
-    /// The points' section, which must be there.
+    /// The points' section, which is required.
     fn point_section(&mut self, at: usize, width: u64) -> Result<Section<'a>> {
         let (name, points) = (self.name, self.points);
         self.section(at, "points", points, width)?
@@ -102,7 +106,7 @@ impl<'a> Head<'a> {
         if self.bytes.len() - end > PADDING {
             return Err(Error::file(
                 self.name,
-                format_args!("oversized: by its head the file ends at byte {end}, and it has {} bytes", self.bytes.len()),
+                format_args!("oversized: by its header the file ends at byte {end}, and it has {} bytes", self.bytes.len()),
             ));
         }
         Ok(())
@@ -126,7 +130,7 @@ fn colors(section: Option<Section<'_>>) -> Result<Option<Vec<[f32; 3]>>> {
 pub(super) fn read_v3(name: &str, bytes: &[u8]) -> Result<Curves> {
     let mut head = Head::new(name, bytes, 3, HEAD_V3)?;
     let (strands, points) = (u64::from(head.strands), head.points);
-    // The three bytes after this one are a compiler's padding: they may hold anything.
+    // The three bytes after this one are a compiler's padding, with any contents.
     let both_ends_held = match bytes[16] {
         0 => false,
         1 => true,
@@ -177,13 +181,13 @@ pub(super) fn read_v4(name: &str, bytes: &[u8]) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::TfxV4, head.counts()?, points, extras)
 }
 
-/// A file being written: a head, and sections one after the other.
+/// A file under construction: a header, and sections one after the other.
 struct Sections {
     bytes: Vec<u8>,
 }
 
 impl Sections {
-    /// The head's first three words, and zeros to its end.
+    /// The header's first three words, and zeros to its end.
     fn new(name: &str, curves: &Curves, version: f32, head: usize, point_width: usize) -> Result<Self> {
         let each = curves.counts()[0];
         if let Some(strand) = curves.counts().iter().position(|count| *count != each) {
@@ -198,7 +202,7 @@ impl Sections {
         let strands = u32::try_from(curves.strand_count()).map_err(|_| {
             Error::file(name, format_args!("{} strands are more than a .tfx file can have", curves.strand_count()))
         })?;
-        // Points, colours, and two sections a strand.
+        // Points, colours, and two per-strand sections.
         let most = curves.point_count().saturating_mul(point_width + 16).saturating_add(12 * curves.strand_count());
         let mut bytes = bytes::list(head.saturating_add(most))?;
         bytes.extend_from_slice(&version.to_le_bytes());
@@ -208,7 +212,7 @@ impl Sections {
         Ok(Self { bytes })
     }
 
-    /// Adds a section, and its offset at byte `at` of the head.
+    /// Adds a section, and its offset at byte `at` of the header.
     fn add(&mut self, name: &str, at: usize, numbers: impl Iterator<Item = f32>) -> Result<()> {
         let offset = u32::try_from(self.bytes.len())
             .map_err(|_| Error::file(name, "has more than the 4 GiB that a .tfx file can have"))?;

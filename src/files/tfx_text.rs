@@ -1,7 +1,7 @@
 //! TressFX 2 `.tfx` files: text.
 //!
-//! Lines `name value`, of which `version 2.0` is the first and `numStrands` must be there; then for each strand a line
-//! `strand I numVerts N texcoord U V` and N lines `x, y, z` (or without commas).
+//! Lines `name value`, starting with `version 2.0` and including `numStrands`; then for each strand a line `strand I numVerts N
+//! texcoord U V` and N lines `x, y, z` (or without commas).
 
 use std::io::Write;
 
@@ -10,9 +10,9 @@ use crate::files::curves::{Curves, CurvesFormat, Extras};
 use crate::files::text::{Quote, Text, count, single};
 use crate::files::tfx::{held_ends, holds_both_ends};
 
-/// A point's line has no fewer bytes: `0 0 0` and its end.
+/// The shortest line of a point: `0 0 0` and its end.
 const LEAST_POINT_LINE: usize = 6;
-/// The head's lines that say how to make more hairs, or how many there are at most: read past.
+/// Header lines that say how to make more hairs, or how many there are at most: skipped.
 const LEFT: [&str; 3] = ["maxNumVerticesInStrand", "numFollowHairsPerGuideHair", "maxRadiusAroundGuideHair"];
 
 /// Reads version 2.
@@ -58,7 +58,7 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::TfxV2Text, counts, points, Extras { held, strand_uvs: Some(uvs), ..Extras::default() })
 }
 
-/// What the head says, and the first line after it.
+/// The header, and the first line after it.
 struct Head<'a> {
     both_ends_held: bool,
     strands: u32,
@@ -94,7 +94,7 @@ fn read_head<'a>(text: &mut Text<'a>) -> Result<Head<'a>> {
                 expect(&["2.0"])?;
                 version = Some(line);
             }
-            // A placement of the whole groom that TressFX applies when it draws: refused rather than forgotten.
+            // A placement of the whole groom that TressFX applies when it draws: refused rather than ignored.
             "scale" => expect(&["1.0"])?,
             "rotation" | "translation" => expect(&["0", "0", "0"])?,
             "bothEndsImmovable" => {
@@ -118,7 +118,7 @@ fn read_head<'a>(text: &mut Text<'a>) -> Result<Head<'a>> {
                 };
                 single(text, line, key, value)?;
             }
-            _ => return Err(text.error(line, format_args!("{} is no line of a version 2 .tfx file", Quote(content.trim())))),
+            _ => return Err(text.error(line, format_args!("{} is not a line of a version 2 .tfx file", Quote(content.trim())))),
         }
         if version.is_none() {
             return Err(text.error(line, format_args!("{}; expected \"version 2.0\" first", Quote(content.trim()))));
@@ -126,7 +126,7 @@ fn read_head<'a>(text: &mut Text<'a>) -> Result<Head<'a>> {
     };
     let Some((strands_line, strands)) = strands else {
         let line = first_strand.map_or(text.line(), |(line, _)| line);
-        return Err(text.error(line, "there is no line \"numStrands N\" before the first strand"));
+        return Err(text.error(line, "\"numStrands N\" is missing before the first strand"));
     };
     Ok(Head { both_ends_held, strands, strands_line, first_strand })
 }
@@ -168,7 +168,7 @@ fn point_line(text: &Text<'_>, line: usize, content: &str) -> Result<[f32; 3]> {
 pub(super) fn write(curves: &Curves) -> Vec<u8> {
     let mut out = Vec::with_capacity(40 * curves.point_count());
     let most = curves.counts().iter().max().copied().unwrap_or_default();
-    // Writing to a Vec cannot fail, so its results say nothing.
+    // Writing to a Vec cannot fail, so results can be ignored.
     let _ = write!(out, "version 2.0\nscale 1.0\nrotation 0 0 0\ntranslation 0 0 0\n");
     let _ = writeln!(out, "bothEndsImmovable {}", u8::from(holds_both_ends(curves)));
     let _ = writeln!(out, "maxNumVerticesInStrand {most}\nnumFollowHairsPerGuideHair 0\nmaxRadiusAroundGuideHair 0");

@@ -1,4 +1,4 @@
-//! What goes with the control points of a prim's curves made into what goes with the points of its polylines.
+//! Conversion of data per control point of a prim's curves into data per point of its polylines.
 
 use nalgebra::Vector3;
 
@@ -7,32 +7,32 @@ use crate::files::usda_values::Interpolation;
 use crate::math::nurbs::Nurbs;
 use crate::math::spline::{Spline, SplineEnds, SplineKind};
 
-/// Points a span of a cubic curve or of NURBS.
+/// Points per span of a cubic curve or NURBS.
 const PER_SPAN: usize = 4;
-/// Chords between two of these points that arclengths of NURBS are summed from.
+/// Chords between two of these points; arclengths of NURBS are their sums.
 const CHORDS: usize = 8;
 
-/// How the control points of a curve are made into points.
-pub(super) enum Way<'a> {
+/// How the control points of a curve become points.
+pub(super) enum Basis<'a> {
     Linear,
     Cubic(SplineKind, SplineEnds),
     Nurbs { orders: &'a [u32], knots: &'a [f64], weights: Option<&'a [f64]> },
 }
 
-/// Makes an error out of what is wrong with the prim's curves.
+/// Makes an error from a fault of the prim's curves.
 pub(super) type Bad<'a> = &'a dyn Fn(std::fmt::Arguments<'_>) -> Error;
 
 pub(super) fn wide(point: [f32; 3]) -> Vector3<f64> {
     Vector3::from(point.map(f64::from))
 }
 
-/// As floats, if they have room for it.
+/// As floats, if they are in range.
 pub(super) fn narrow(point: Vector3<f64>) -> Option<[f32; 3]> {
     let narrowed = [point.x as f32, point.y as f32, point.z as f32];
     narrowed.iter().all(|value| value.is_finite()).then_some(narrowed)
 }
 
-/// The control points of a prim's curves: makes what goes with them into what goes with points.
+/// The control points of a prim's curves: converts data per control point into data per point.
 pub(super) struct Controls<'a> {
     pub counts: &'a [u32],
     pub total: usize,
@@ -43,7 +43,7 @@ impl Controls<'_> {
         if there == self.total {
             return Ok(());
         }
-        Err(bad(format_args!("{what} has {there} entries; expected one a point, {}", self.total)))
+        Err(bad(format_args!("{what} has {there} entries; expected one per point, {}", self.total)))
     }
 
     /// The range of each curve's control points.
@@ -59,24 +59,29 @@ impl Controls<'_> {
         Spline::new(kind, ends, self.counts[curve] as usize).map_err(|error| bad(format_args!("curve {curve}: {error}")))
     }
 
-    /// Points of each curve that is made.
-    pub fn counts(&self, way: &Way<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
+    /// Numbers of points of the curves made.
+    pub fn counts(&self, basis: &Basis<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
         let ranges = self.ranges().enumerate();
-        match way {
-            Way::Linear => Ok(self.counts.to_vec()),
-            Way::Cubic(kind, ends) => {
+        match basis {
+            Basis::Linear => Ok(self.counts.to_vec()),
+            Basis::Cubic(kind, ends) => {
                 ranges.map(|(curve, _)| Ok(self.spline(*kind, *ends, curve, bad)?.point_count(PER_SPAN) as u32)).collect()
             }
-            Way::Nurbs { .. } => {
+            Basis::Nurbs { .. } => {
                 let mut counts = Vec::with_capacity(self.counts.len());
-                self.each_nurbs(way, bad, |nurbs, _| counts.push(nurbs.parameters(PER_SPAN).len() as u32))?;
+                self.each_nurbs(basis, bad, |nurbs, _| counts.push(nurbs.parameters(PER_SPAN).len() as u32))?;
                 Ok(counts)
             }
         }
     }
 
-    fn each_nurbs(&self, way: &Way<'_>, bad: Bad<'_>, mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>)) -> Result<()> {
-        let Way::Nurbs { orders, knots, weights } = way else { return Ok(()) };
+    fn each_nurbs(
+        &self,
+        basis: &Basis<'_>,
+        bad: Bad<'_>,
+        mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>),
+    ) -> Result<()> {
+        let Basis::Nurbs { orders, knots, weights } = basis else { return Ok(()) };
         let mut knot = 0;
         for (curve, range) in self.ranges().enumerate() {
             let end = knot + range.len() + orders[curve] as usize;
@@ -92,13 +97,14 @@ impl Controls<'_> {
         Ok(())
     }
 
-    /// Three numbers a control point: three a point.
-    pub fn vectors(&self, way: &Way<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
-        let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point leaves the range of floats")));
+    /// Converts three numbers per control point to three per point.
+    pub fn vectors(&self, basis: &Basis<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
+        let narrow =
+            |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point is outside the range of floats")));
         let mut made = Vec::new();
-        match way {
-            Way::Linear => return Ok(vectors.to_vec()),
-            Way::Cubic(kind, ends) => {
+        match basis {
+            Basis::Linear => return Ok(vectors.to_vec()),
+            Basis::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
                     let spline = self.spline(*kind, *ends, curve, bad)?;
                     let controls: Vec<Vector3<f64>> = vectors[range].iter().map(|vector| wide(*vector)).collect();
@@ -109,9 +115,9 @@ impl Controls<'_> {
                     }
                 }
             }
-            Way::Nurbs { .. } => {
+            Basis::Nurbs { .. } => {
                 let mut failure = None;
-                self.each_nurbs(way, bad, |nurbs, range| {
+                self.each_nurbs(basis, bad, |nurbs, range| {
                     for place in nurbs.parameters(PER_SPAN) {
                         match narrow(nurbs.at(place, |control| wide(vectors[range.start + control]))) {
                             Ok(point) => made.push(point),
@@ -127,12 +133,12 @@ impl Controls<'_> {
         Ok(made)
     }
 
-    /// How far along its curve each point lies, from 0 at each root, of control points that have been placed; nothing of polylines.
-    pub fn arclengths(&self, way: &Way<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
+    /// Arclength of each point along its curve, from 0 at each root, for control points already placed; `None` for polylines.
+    pub fn arclengths(&self, basis: &Basis<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
         let mut made = Vec::new();
-        match way {
-            Way::Linear => {}
-            Way::Cubic(kind, ends) => {
+        match basis {
+            Basis::Linear => {}
+            Basis::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
                     let spline = self.spline(*kind, *ends, curve, bad)?;
                     let (_, arclengths) =
@@ -140,7 +146,7 @@ impl Controls<'_> {
                     made.extend(arclengths.iter().map(|arclength| *arclength as f32));
                 }
             }
-            Way::Nurbs { .. } => self.each_nurbs(way, bad, |nurbs, range| {
+            Basis::Nurbs { .. } => self.each_nurbs(basis, bad, |nurbs, range| {
                 let along = |parts: usize| {
                     let places = nurbs.parameters(parts * PER_SPAN);
                     let points: Vec<_> =
@@ -164,39 +170,40 @@ impl Controls<'_> {
         }
     }
 
-    /// Three numbers each, interpolated as said: three a point.
+    /// Three numbers each, with the given interpolation: three per point.
     pub fn triples(
         &self,
-        way: &Way<'_>,
+        basis: &Basis<'_>,
         items: &[[f32; 3]],
         how: Interpolation,
         what: &str,
         bad: Bad<'_>,
     ) -> Result<Vec<[f32; 3]>> {
         let at_controls =
-            self.spread(way, items, how, what, bad, |a, b, share| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share))?;
+            self.spread(basis, items, how, what, bad, |a, b, fraction| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * fraction))?;
         match at_controls {
-            Spread::Controls(list) => self.vectors(way, &list, bad),
+            Spread::Controls(list) => self.vectors(basis, &list, bad),
             Spread::Points(list) => Ok(list),
         }
     }
 
-    /// One number each, interpolated as said: one a point.
-    pub fn numbers(&self, way: &Way<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
-        match self.spread(way, items, how, what, bad, |a, b, share| a + (b - a) * share)? {
-            Spread::Controls(list) if matches!(way, Way::Linear) => Ok(list),
+    /// One number each, with the given interpolation: one per point.
+    pub fn numbers(&self, basis: &Basis<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
+        match self.spread(basis, items, how, what, bad, |a, b, fraction| a + (b - a) * fraction)? {
+            Spread::Controls(list) if matches!(basis, Basis::Linear) => Ok(list),
             Spread::Controls(list) => {
                 let vectors: Vec<[f32; 3]> = list.into_iter().map(|number| [number, 0.0, 0.0]).collect();
-                Ok(self.vectors(way, &vectors, bad)?.into_iter().map(|[number, _, _]| number).collect())
+                Ok(self.vectors(basis, &vectors, bad)?.into_iter().map(|[number, _, _]| number).collect())
             }
             Spread::Points(list) => Ok(list),
         }
     }
 
-    /// What is said for all, a curve, a span's end or a control point, said for each control point, or where a basis would bend it, point.
+    /// Expands data for all curves, per curve, per end of a span or per control point to data per control point or, where a basis
+    /// would bend it, per point.
     fn spread<T: Copy>(
         &self,
-        way: &Way<'_>,
+        basis: &Basis<'_>,
         items: &[T],
         how: Interpolation,
         what: &str,
@@ -206,25 +213,25 @@ impl Controls<'_> {
         let wrong = |expected: usize, of: &str| {
             Err(bad(format_args!("{what} has {} entries; expected {expected}, one {of}", items.len())))
         };
-        let made_counts = self.counts(way, bad)?;
+        let made_counts = self.counts(basis, bad)?;
         match how {
             Interpolation::Constant if items.len() != 1 => wrong(1, "for all curves"),
             Interpolation::Constant => Ok(Spread::Points(vec![items[0]; made_counts.iter().map(|count| *count as usize).sum()])),
-            Interpolation::Uniform if items.len() != self.counts.len() => wrong(self.counts.len(), "a curve"),
+            Interpolation::Uniform if items.len() != self.counts.len() => wrong(self.counts.len(), "per curve"),
             Interpolation::Uniform => Ok(Spread::Points(
                 items.iter().zip(&made_counts).flat_map(|(item, count)| std::iter::repeat_n(*item, *count as usize)).collect(),
             )),
-            Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "a point"),
+            Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "per point"),
             Interpolation::Vertex | Interpolation::FaceVarying => Ok(Spread::Controls(items.to_vec())),
-            Interpolation::Varying if matches!(way, Way::Linear) => match items.len() == self.total {
+            Interpolation::Varying if matches!(basis, Basis::Linear) => match items.len() == self.total {
                 true => Ok(Spread::Controls(items.to_vec())),
-                false => wrong(self.total, "a point"),
+                false => wrong(self.total, "per point"),
             },
             Interpolation::Varying => {
                 let each = |count: &u32| (*count as usize - 1) / PER_SPAN;
                 let ends: usize = made_counts.iter().map(|count| each(count) + 1).sum();
                 if items.len() != ends {
-                    return wrong(ends, "an end of a span");
+                    return wrong(ends, "per end of a span");
                 }
                 let (mut made, mut first) = (Vec::new(), 0);
                 for count in &made_counts {
@@ -242,7 +249,7 @@ impl Controls<'_> {
     }
 }
 
-/// What goes with control points, or with points.
+/// Data per control point, or per point.
 enum Spread<T> {
     Controls(Vec<T>),
     Points(Vec<T>),

@@ -1,18 +1,18 @@
 //! The curves of a USD layer at a time, as polylines in the world.
 //!
-//! Linear curves are their points. Cubic curves and NURBS are made into points, four a span; what goes along with control points goes
-//! along with them. Placements (`xformOp`s of the prim and of those it is in) are applied; where there is none the numbers stay as they are.
+//! Linear curves are their points. Cubic curves and NURBS become points, four per span, and data per control point is
+//! interpolated along. Placements (`xformOp`s of the prim and its ancestors) are applied; without any the numbers stay unchanged.
 
 use nalgebra::{Matrix3, Matrix4, Vector3};
 
 use crate::error::{Error, Result};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
-use crate::files::usd_controls::{Bad, Controls, Way, narrow, wide};
+use crate::files::usd_controls::{Bad, Basis, Controls, narrow, wide};
 use crate::files::usda_layer::{CurvesPrim, Layer};
 use crate::files::usda_values::{Attribute, Interpolation, indexed};
 use crate::math::spline::{SplineEnds, SplineKind};
 
-/// The times at which any curve of the layer is sampled, in time codes, ascending; none if they stand still.
+/// The times at which any curve of the layer has samples, in time codes, ascending; empty for static curves.
 pub(super) fn times(layer: &Layer) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
     for (_, curves) in layer.curves() {
@@ -49,7 +49,7 @@ pub(super) fn at(layer: &Layer, file: &str, time: f64) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::Usda, all.counts, all.points, extras)
 }
 
-/// Numbers that some prims may have and others not: those that have not get zeros.
+/// Numbers that only some prims have: the others get zeros.
 struct Optional<T>(Option<Vec<T>>);
 
 impl<T> Default for Optional<T> {
@@ -59,7 +59,7 @@ impl<T> Default for Optional<T> {
 }
 
 impl<T: Copy> Optional<T> {
-    /// Adds what a prim has, after `before` entries of others; a prim has `count`.
+    /// Appends a prim's data after `before` entries of other prims; a prim has `count`.
     fn add(&mut self, items: Option<Vec<T>>, before: usize, count: usize, otherwise: T) {
         match (&mut self.0, items) {
             (None, None) => {}
@@ -82,14 +82,14 @@ struct All {
     transparency: Optional<f32>,
     colors: Optional<[f32; 3]>,
     velocities: Optional<[f32; 3]>,
-    /// From the first spline on; of polylines before it too.
+    /// From the first spline on, including earlier polylines.
     arclengths: Option<Vec<f32>>,
     held: Optional<bool>,
     strand_thickness: Optional<f32>,
     strand_uvs: Optional<[f32; 2]>,
 }
 
-/// How far along its polyline each point lies.
+/// Arclength of each point along its polyline.
 fn along_edges(points: &[[f32; 3]], counts: &[u32]) -> Vec<f32> {
     let (mut rest, mut arclengths) = (points, Vec::with_capacity(points.len()));
     for count in counts {
@@ -123,7 +123,7 @@ impl One<'_> {
         let bad: Bad<'_> = &|reason| self.error(reason);
         let points = self.points()?;
         if points.is_empty() {
-            // A prim that stands for hair that is not there yet.
+            // A prim for hair that does not exist yet.
             return Ok(());
         }
         let counts = self.prim.counts.at(self.time).map_or(&[][..], Vec::as_slice);
@@ -135,24 +135,22 @@ impl One<'_> {
         if let Some(curve) = counts.iter().position(|count| *count < 2) {
             return Err(self.error(format_args!("curve {curve} has {} points; expected at least two", counts[curve])));
         }
-        let way = self.way(counts)?;
+        let basis = self.basis_of(counts)?;
         let controls = Controls { counts, total: points.len() };
-        let made = controls.vectors(&way, &points, bad)?;
-        let mut made_counts = controls.counts(&way, bad)?;
+        let made = controls.vectors(&basis, &points, bad)?;
+        let mut made_counts = controls.counts(&basis, bad)?;
         let before = (all.points.len(), all.counts.len());
         let (point_count, curve_count) = (made.len(), counts.len());
 
         let moved = Moved::of(self)?;
         all.points.extend(match &moved {
             None => made.clone(),
-            Some(moved) => {
-                moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
-            }
+            Some(moved) => moved.points(&made).ok_or_else(|| self.error("a placed point is outside the range of floats"))?,
         });
-        if !matches!(way, Way::Linear) {
+        if !matches!(basis, Basis::Linear) {
             let place = |point: &[f32; 3]| moved.as_ref().map_or(wide(*point), |moved| moved.place(wide(*point)));
             let placed: Vec<Vector3<f64>> = points.iter().map(place).collect();
-            let arclengths = controls.arclengths(&way, &placed, bad)?;
+            let arclengths = controls.arclengths(&basis, &placed, bad)?;
             all.arclengths.get_or_insert_with(|| along_edges(&all.points[..before.0], &all.counts)).extend(arclengths);
         } else if let Some(arclengths) = &mut all.arclengths {
             arclengths.extend(along_edges(&all.points[before.0..], &made_counts));
@@ -160,14 +158,14 @@ impl One<'_> {
         let velocities = match self.prim.velocities.vectors_at(self.time) {
             Some(list) => {
                 controls.check("velocities", list.len(), bad)?;
-                Some(controls.vectors(&way, &list, bad)?)
+                Some(controls.vectors(&basis, &list, bad)?)
             }
             None => None,
         };
         let velocities = match (&moved, velocities) {
             (Some(moved), velocities) => {
                 let placed = moved.velocities(&made, velocities.as_deref(), self.layer.time_codes_per_second);
-                placed.map_err(|()| self.error("a velocity leaves the range of floats when it is placed"))?
+                placed.map_err(|()| self.error("a placed velocity is outside the range of floats"))?
             }
             (None, velocities) => velocities,
         };
@@ -180,7 +178,7 @@ impl One<'_> {
                 } else {
                     Interpolation::Vertex
                 });
-                let mut widths = controls.numbers(&way, &widths, how, "widths", bad)?;
+                let mut widths = controls.numbers(&basis, &widths, how, "widths", bad)?;
                 if let Some(moved) = &moved {
                     widths.iter_mut().for_each(|width| *width = (f64::from(*width) * moved.scale) as f32);
                 }
@@ -189,65 +187,63 @@ impl One<'_> {
             None => None,
         };
         all.thickness.add(thickness, before.0, point_count, 0.0);
-        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time)).map_err(|index| {
-            self.error(format_args!("primvars:displayOpacity:indices says {index}, and there is no such entry"))
-        })?;
+        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time))
+            .map_err(|index| self.error(format_args!("primvars:displayOpacity:indices has {index}, which is not an entry")))?;
         let transparency = match opacities {
             Some(list) => {
                 let how = self.prim.opacities.interpolation.unwrap_or(Interpolation::Constant);
-                let mut list = controls.numbers(&way, &list, how, "primvars:displayOpacity", bad)?;
+                let mut list = controls.numbers(&basis, &list, how, "primvars:displayOpacity", bad)?;
                 list.iter_mut().for_each(|opacity| *opacity = 1.0 - *opacity);
                 Some(list)
             }
             None => None,
         };
         all.transparency.add(transparency, before.0, point_count, 0.0);
-        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time)).map_err(|index| {
-            self.error(format_args!("primvars:displayColor:indices says {index}, and there is no such entry"))
-        })?;
+        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time))
+            .map_err(|index| self.error(format_args!("primvars:displayColor:indices has {index}, which is not an entry")))?;
         let colors = match colors {
             Some(list) => {
                 let how = self.prim.colors.interpolation.unwrap_or(Interpolation::Constant);
-                Some(controls.triples(&way, &list, how, "primvars:displayColor", bad)?)
+                Some(controls.triples(&basis, &list, how, "primvars:displayColor", bad)?)
             }
             None => None,
         };
         all.colors.add(colors, before.0, point_count, [0.0; 3]);
 
-        // What this library's own files say beyond USD's own names.
-        let held = self.prim.held.at(self.time).filter(|held| matches!(way, Way::Linear) && held.len() == points.len());
+        // What this library's own files hold beyond USD's own names.
+        let held = self.prim.held.at(self.time).filter(|held| matches!(basis, Basis::Linear) && held.len() == points.len());
         all.held.add(held.map(|held| held.iter().map(|held| *held != 0).collect()), before.0, point_count, false);
         let thickness = self.prim.strand_thickness.at(self.time).filter(|list| list.len() == curve_count);
         all.strand_thickness.add(thickness.cloned(), before.1, curve_count, 1.0);
         let uvs = indexed(self.prim.uvs.at(self.time), self.prim.uv_indices.at(self.time))
-            .map_err(|index| self.error(format_args!("primvars:st:indices says {index}, and there is no such entry")))?;
+            .map_err(|index| self.error(format_args!("primvars:st:indices has {index}, which is not an entry")))?;
         all.strand_uvs.add(uvs.filter(|list| list.len() == curve_count), before.1, curve_count, [0.0; 2]);
         all.counts.append(&mut made_counts);
         Ok(())
     }
 
-    /// Points, between samples if the time is.
+    /// Points, interpolated between samples.
     fn points(&self) -> Result<Vec<[f32; 3]>> {
         self.prim.points.vectors_at(self.time).map_or_else(|| Ok(Vec::new()), Ok)
     }
 
     fn singles_at(&self, attribute: &Attribute<Vec<f32>>) -> Option<Vec<f32>> {
         match attribute.between(self.time) {
-            Some((before, after, share)) if before.len() == after.len() => {
+            Some((before, after, fraction)) if before.len() == after.len() => {
                 let pairs = before.iter().zip(after);
-                Some(pairs.map(|(a, b)| (f64::from(*a) + (f64::from(*b) - f64::from(*a)) * share) as f32).collect())
+                Some(pairs.map(|(a, b)| (f64::from(*a) + (f64::from(*b) - f64::from(*a)) * fraction) as f32).collect())
             }
             _ => attribute.at(self.time).cloned(),
         }
     }
 
-    fn way(&self, counts: &[u32]) -> Result<Way<'_>> {
+    fn basis_of(&self, counts: &[u32]) -> Result<Basis<'_>> {
         let prim = self.prim;
         if prim.nurbs {
             let orders = prim.orders.at(self.time).map_or(&[][..], Vec::as_slice);
             if orders.len() != counts.len() {
                 let (said, wanted) = (orders.len(), counts.len());
-                return Err(self.error(format_args!("order has {said} numbers; expected one a curve, {wanted}")));
+                return Err(self.error(format_args!("order has {said} numbers; expected one per curve, {wanted}")));
             }
             let knots = prim.knots.at(self.time).map_or(&[][..], Vec::as_slice);
             let wanted: u64 = counts.iter().zip(orders).map(|(count, order)| u64::from(*count) + u64::from(*order)).sum();
@@ -259,9 +255,9 @@ impl One<'_> {
             let points: u64 = counts.iter().map(|count| u64::from(*count)).sum();
             if let Some(weights) = weights.filter(|weights| weights.len() as u64 != points) {
                 let there = weights.len();
-                return Err(self.error(format_args!("pointWeights has {there} numbers; expected one a point, {points}")));
+                return Err(self.error(format_args!("pointWeights has {there} numbers; expected one per point, {points}")));
             }
-            return Ok(Way::Nurbs { orders, knots, weights });
+            return Ok(Basis::Nurbs { orders, knots, weights });
         }
         match prim.kind.as_deref().unwrap_or("cubic") {
             "linear" => {}
@@ -271,11 +267,11 @@ impl One<'_> {
         let ends = match prim.wrap.as_deref().unwrap_or("nonperiodic") {
             "nonperiodic" => SplineEnds::Open,
             "pinned" => SplineEnds::Pinned,
-            "periodic" => return Err(self.error("wrap is \"periodic\": a closed curve has no root and is no strand")),
+            "periodic" => return Err(self.error("wrap is \"periodic\": a closed curve has no root and cannot be a strand")),
             other => return Err(self.error(format_args!("wrap is {other:?}; expected \"nonperiodic\" or \"pinned\""))),
         };
         if prim.kind.as_deref() == Some("linear") {
-            return Ok(Way::Linear);
+            return Ok(Basis::Linear);
         }
         let kind = match prim.basis.as_deref().unwrap_or("bezier") {
             "bezier" => SplineKind::Bezier,
@@ -285,7 +281,7 @@ impl One<'_> {
                 return Err(self.error(format_args!("basis is {other:?}; expected \"bezier\", \"bspline\" or \"catmullRom\"")));
             }
         };
-        Ok(Way::Cubic(kind, ends))
+        Ok(Basis::Cubic(kind, ends))
     }
 }
 
@@ -294,7 +290,7 @@ struct Moved {
     matrix: Matrix4<f64>,
     /// Per time code.
     rate: Option<Matrix4<f64>>,
-    /// The cube root of what it multiplies volumes by: what widths are multiplied by.
+    /// The cube root of its factor on volumes, which multiplies widths.
     scale: f64,
 }
 
@@ -306,8 +302,8 @@ impl Moved {
         if now == Matrix4::identity() && !moves {
             return Ok(None);
         }
-        // Between samples placements are straight lines: a difference over a small part of a frame is exact but for rounding, and at a
-        // sample the mean of both sides.
+        // Placements are linear between samples: a difference over a small part of a frame is exact but for rounding, and at a
+        // sample it is the mean of both sides.
         const PART: f64 = 1e-3;
         let rate = if moves { Some((matrix(one.time + PART)? - matrix(one.time - PART)?) / (2.0 * PART)) } else { None };
         let scale = now.fixed_view::<3, 3>(0, 0).determinant().abs().cbrt();
@@ -323,7 +319,7 @@ impl Moved {
         (placed / placed.w).xyz()
     }
 
-    /// What points do by themselves, and what the placement does to them.
+    /// The points' own velocities, and those of the placement.
     fn velocities(
         &self,
         points: &[[f32; 3]],

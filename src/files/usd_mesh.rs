@@ -1,6 +1,7 @@
-//! The meshes of a USD layer: their faces as triangles, their texture coordinates, and their vertices at a time, in the world.
+//! The meshes of a USD layer as triangles in the world: faces, texture coordinates, and vertices at a time.
 //!
-//! All meshes of the layer are one, as all objects of an OBJ file are. A subdivision surface is the polygons that its file has.
+//! All meshes of the layer become one, as do all objects of an OBJ file. A subdivision surface counts as the polygons in its
+//! file.
 
 use nalgebra::{Matrix4, Vector3};
 
@@ -11,7 +12,7 @@ use crate::files::usda_layer::Layer;
 use crate::files::usda_scan::Scan;
 use crate::files::usda_values::{Attribute, Interpolation, indexed, list, tuple};
 
-/// The mesh of a prim, as the file has it.
+/// The mesh of a prim, as in the file.
 #[derive(Debug, Default)]
 pub(super) struct MeshPrim {
     /// rightHanded or leftHanded.
@@ -25,7 +26,7 @@ pub(super) struct MeshPrim {
 }
 
 impl MeshPrim {
-    /// Whether an attribute of that name is taken.
+    /// Whether to read an attribute of this name.
     pub fn wants(name: &str) -> bool {
         const WANTED: [&str; 7] = [
             "orientation",
@@ -39,7 +40,7 @@ impl MeshPrim {
         WANTED.contains(&name)
     }
 
-    /// Takes an attribute; whether it is one that is wanted.
+    /// Reads an attribute; returns whether it is a wanted one.
     pub fn take(&mut self, scan: &mut Scan<'_>, name: &str, over_time: bool) -> Result<bool> {
         let (to, what) = match name {
             "faceVertexCounts" => (&mut self.counts, "a face's number of corners"),
@@ -65,7 +66,7 @@ impl MeshPrim {
     }
 }
 
-/// The times at which any mesh of the layer, or where it is, is sampled, in time codes, ascending; none if they stand still.
+/// The times at which any mesh of the layer, or its placement, has samples, in time codes, ascending; empty for static meshes.
 pub(super) fn times(layer: &Layer) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
     for (index, mesh) in layer.meshes() {
@@ -79,7 +80,7 @@ pub(super) fn times(layer: &Layer) -> Vec<f64> {
     times
 }
 
-/// The meshes at a time that have faces, as one, and their texture coordinates where all of them have some.
+/// The meshes with faces at a time, as one, and their texture coordinates if all of them have some.
 pub(super) fn read(layer: &Layer, file: &str, time: f64) -> Result<(ObjMesh, Option<Texture>)> {
     let mut all = ObjMesh { vertices: Vec::new(), triangles: Vec::new() };
     let mut texture = Some(Texture { coordinates: Vec::new(), triangles: Vec::new() });
@@ -122,7 +123,7 @@ impl One<'_> {
         self.prim.counts.at(self.time).map_or(&[], Vec::as_slice)
     }
 
-    /// In the world, and whether that is a mirror image of what the file has.
+    /// In the world, and whether that mirrors the file's mesh.
     fn vertices(&self) -> Result<(Vec<Vector3<f64>>, bool)> {
         let points = self.prim.points.vectors_at(self.time).unwrap_or_default();
         let world = self.layer.world(self.index, self.time, self.file)?;
@@ -207,7 +208,7 @@ impl One<'_> {
                     triangle.swap(1, 2);
                 }
                 if let (Some(texture), Some((_, by_corner))) = (texture.as_mut(), &spread) {
-                    // A face names each of its vertices once: the vertex tells the corner.
+                    // A face names each of its vertices once: the vertex identifies the corner.
                     let of = |vertex: u32| match by_corner {
                         true => begun + own.iter().position(|corner| *corner == vertex).unwrap_or_default(),
                         false => vertex as usize,
@@ -225,11 +226,11 @@ impl One<'_> {
         Ok(())
     }
 
-    /// The texture coordinates, and whether they are one a corner and not one a vertex; none if there are none.
+    /// The texture coordinates, and whether they are per corner and not per vertex; `None` if there are none.
     fn texture(&self, corners: usize, vertices: usize) -> Result<Option<(Vec<[f64; 2]>, bool)>> {
         let prim = self.prim;
         let values = indexed(prim.uvs.at(self.time), prim.uv_indices.at(self.time))
-            .map_err(|index| self.error(format_args!("primvars:st:indices says {index}, and there is no such entry")))?;
+            .map_err(|index| self.error(format_args!("primvars:st:indices has {index}, which is not an entry")))?;
         let Some(values) = values else { return Ok(None) };
         let by_corner = match prim.uvs.interpolation {
             Some(Interpolation::FaceVarying) => true,
@@ -242,7 +243,7 @@ impl One<'_> {
         let (wanted, of) = if by_corner { (corners, "corner") } else { (vertices, "vertex") };
         if values.len() != wanted {
             let there = values.len();
-            return Err(self.error(format_args!("primvars:st has {there} entries; expected one a {of}, {wanted}")));
+            return Err(self.error(format_args!("primvars:st has {there} entries; expected one per {of}, {wanted}")));
         }
         Ok(Some((values.iter().map(|uv| uv.map(f64::from)).collect(), by_corner)))
     }

@@ -1,4 +1,4 @@
-//! Where a prim of a USD file stands in the prim that it is in: its `xformOp`s.
+//! The placement of a prim of a USD file in its parent: its `xformOp`s.
 
 use nalgebra::{Matrix4, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
@@ -6,10 +6,10 @@ use crate::error::{Error, Result};
 use crate::files::usda_scan::Scan;
 use crate::files::usda_values::{Attribute, flat, list};
 
-/// The most operations that a prim has: more are a mistake, and finding one among them would take long.
-const MOST: usize = 256;
+/// The most operations of a prim: more are a mistake, and slow to search.
+const MAX_OPERATIONS: usize = 256;
 
-/// The operations of a prim and their order.
+/// The operations of a prim, and their order.
 #[derive(Debug, Default)]
 pub(super) struct Placement {
     order: Attribute<Vec<Box<str>>>,
@@ -17,7 +17,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// Takes an attribute whose name begins with `xformOp`.
+    /// Reads an attribute whose name begins with `xformOp`.
     pub fn take(&mut self, scan: &mut Scan<'_>, name: &str, over_time: bool) -> Result<()> {
         if name == "xformOpOrder" {
             let name = |scan: &mut Scan<'_>| scan.string().map(Box::from);
@@ -25,8 +25,8 @@ impl Placement {
         }
         let index = match self.operations.iter().position(|(there, _)| **there == *name) {
             Some(index) => index,
-            None if self.operations.len() == MOST => {
-                return Err(scan.error(format_args!("more than {MOST} operations")));
+            None if self.operations.len() == MAX_OPERATIONS => {
+                return Err(scan.error(format_args!("more than {MAX_OPERATIONS} operations")));
             }
             None => {
                 self.operations.push((name.into(), Attribute::default()));
@@ -41,12 +41,12 @@ impl Placement {
         self.operations.iter().any(|(_, operation)| operation.times().count() > 1)
     }
 
-    /// The times at which it is sampled.
+    /// The times of its samples.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
         self.operations.iter().flat_map(|(_, operation)| operation.times())
     }
 
-    /// The matrix (columns) at a time, and whether it starts anew from the world.
+    /// The matrix (columns) at a time, and whether it resets to the world.
     pub fn matrix(&self, time: f64, file: &str, path: &dyn Fn() -> String) -> Result<(Matrix4<f64>, bool)> {
         let mut matrix = Matrix4::identity();
         let mut anew = false;
@@ -60,11 +60,10 @@ impl Placement {
             let operation = self.operations.iter().find(|(there, _)| **there == *name).map(|(_, operation)| operation);
             let Some(operation) = operation else { return Err(bad("is in xformOpOrder and has no value".to_owned())) };
             let step = match operation.between(time) {
-                Some((before, after, share)) => between(name, before, after, share),
+                Some((before, after, fraction)) => between(name, before, after, fraction),
                 None => operation.at(time).and_then(|values| one(name, values)),
             };
-            let step =
-                step.ok_or_else(|| bad("is no operation that is known here, or has the wrong number of values".to_owned()))?;
+            let step = step.ok_or_else(|| bad("is not a known operation, or has the wrong number of values".to_owned()))?;
             let step = if inverse { step.try_inverse().ok_or_else(|| bad("cannot be inverted".to_owned()))? } else { step };
             matrix *= step;
         }
@@ -76,31 +75,31 @@ impl Placement {
     }
 }
 
-/// The operation's kind: `xformOp:rotateXYZ:pivot` is `rotateXYZ`.
+/// The operation's type: `xformOp:rotateXYZ:pivot` is `rotateXYZ`.
 fn kind(name: &str) -> &str {
     name.split(':').nth(1).unwrap_or_default()
 }
 
-/// An operation between two samples: numbers go straight from the one to the other, quaternions by the shorter way.
-fn between(name: &str, before: &[f64], after: &[f64], share: f64) -> Option<Matrix4<f64>> {
+/// An operation between two samples: numbers are interpolated linearly, quaternions along the shorter arc.
+fn between(name: &str, before: &[f64], after: &[f64], fraction: f64) -> Option<Matrix4<f64>> {
     if before.len() != after.len() {
         return one(name, before);
     }
     if kind(name) == "orient" {
-        let turn = quaternion(before)?.slerp(&quaternion(after)?, share);
+        let turn = quaternion(before)?.slerp(&quaternion(after)?, fraction);
         return Some(turn.to_homogeneous());
     }
-    let values: Vec<f64> = before.iter().zip(after).map(|(before, after)| before + (after - before) * share).collect();
+    let values: Vec<f64> = before.iter().zip(after).map(|(before, after)| before + (after - before) * fraction).collect();
     one(name, &values)
 }
 
-/// Written w, x, y, z.
+/// In the order w, x, y, z.
 fn quaternion(values: &[f64]) -> Option<UnitQuaternion<f64>> {
     let [w, x, y, z] = *values else { return None };
     UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-12)
 }
 
-/// The matrix of an operation; `None` if there is none of that name with as many values.
+/// The matrix of an operation; `None` for an unknown name or a wrong number of values.
 fn one(name: &str, values: &[f64]) -> Option<Matrix4<f64>> {
     let axis = |axis: char| match axis {
         'X' => Some(Vector3::x_axis()),
@@ -112,11 +111,11 @@ fn one(name: &str, values: &[f64]) -> Option<Matrix4<f64>> {
         ("translate", [x, y, z]) => Some(Matrix4::new_translation(&Vector3::new(*x, *y, *z))),
         ("scale", [x, y, z]) => Some(Matrix4::new_nonuniform_scaling(&Vector3::new(*x, *y, *z))),
         ("orient", values) => quaternion(values).map(|turn| turn.to_homogeneous()),
-        // Rows there are columns here.
+        // USD's rows are columns here.
         ("transform", values) if values.len() == 16 => Some(Matrix4::from_column_slice(values)),
         (rotate, values) => {
             let axes = rotate.strip_prefix("rotate")?;
-            // Angles are those about x, y and z, whatever the order; the first axis turns first.
+            // Angles are about x, y and z whatever the order; the first axis turns first.
             let single = axes.len() == 1;
             if values.len() != if single { 1 } else { 3 } || !(single || axes.len() == 3) {
                 return None;

@@ -1,10 +1,10 @@
-//! USD as text (`.usda`): curves in and out. Meshes over time are read by [`mesh_cache`](super::mesh_cache).
+//! USD as text (`.usda`): reads and writes curves. [`mesh_cache`](super::mesh_cache) reads meshes over time.
 //!
-//! Read are `BasisCurves` (linear; cubic Bézier, B-spline and Catmull–Rom, open or pinned) and `NurbsCurves`, wherever they stand among the
-//! prims, with widths, velocities, `displayColor`, `displayOpacity` and `st`, their time samples, the `xformOp`s of the prims that they are in,
-//! and what the layer says of units, axes and time. A layer is read by itself: one with sublayers, references, payloads, inherits,
-//! specializes or variant sets is refused. Written is one prim of linear curves. The binary forms (`.usdc`, `.usdz`) are not read: docs/reference/files.md
-//! says why.
+//! The reader takes `BasisCurves` (linear; cubic Bézier, B-spline and Catmull–Rom, open or pinned) and `NurbsCurves` anywhere
+//! among the prims, with widths, velocities, `displayColor`, `displayOpacity` and `st`, their time samples, the `xformOp`s of
+//! their ancestors, and the layer's units, axes and time. It reads one layer by itself, and refuses one with sublayers,
+//! references, payloads, inherits, specializes or variant sets. The writer makes one prim of linear curves.
+//! docs/reference/files.md says why the binary forms (`.usdc`, `.usdz`) are not read.
 
 use std::io::Write;
 use std::path::Path;
@@ -15,7 +15,7 @@ use crate::files::curves::{Curves, UpAxis};
 use crate::files::usd_curves;
 use crate::files::usda_layer::{Layer, Wanted};
 
-/// Reads the curves of a `.usda` file, at the first of its time samples if it has any.
+/// Reads the curves of a `.usda` file, at its first time sample if it has any.
 ///
 /// # Errors
 /// [`Error::File`], [`Error::OutOfMemory`]: see [`Curves::read`].
@@ -24,7 +24,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
     read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
-/// [`read`] from memory. `name` stands for the path in errors.
+/// [`read`] from memory. `name` replaces the path in errors.
 ///
 /// # Errors
 /// As [`read`].
@@ -37,7 +37,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     usd_curves::at(&layer, name, first)
 }
 
-/// What a file is that begins like a scene which is not read here.
+/// What a file is that starts like a scene in another format.
 pub(super) fn other_scene_format(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
         [b'P', b'X', b'R', b'-', b'U', b'S', b'D', b'C', ..] => {
@@ -50,11 +50,11 @@ pub(super) fn other_scene_format(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// Writes curves as a `.usda` file: one `BasisCurves` of linear curves, `/groom/strands`, with widths, velocities, colours, opacities and
-/// texture coordinates where the curves have them. Numbers are written such that reading them gives the same floats; an opacity is one less
-/// the transparency. What USD has no name for (held points, thickness factors) goes into primvars `superhelix:held` and
-/// `superhelix:strandThickness`. Of the head of a `.hair` file, the defaults become constant widths, opacity and colour, where there is no list.
-/// Curves that state no unit are taken to be in metres, those that state no axis to have y up.
+/// Writes curves as a `.usda` file: one `BasisCurves` of linear curves, `/groom/strands`, with the curves' widths, velocities,
+/// colours, opacities and texture coordinates. Reading the numbers back gives the same floats; opacity is one minus transparency.
+/// Data without a USD name (held points, thickness factors) goes into primvars `superhelix:held` and
+/// `superhelix:strandThickness`. The defaults in a `.hair` file's header become constant widths, opacity and colour where there
+/// is no list. Curves without a unit are in metres, those without an axis have y up.
 ///
 /// # Errors
 /// [`Error::File`] naming the path when it cannot be written.
@@ -68,7 +68,7 @@ pub fn write_to_bytes(curves: &Curves) -> Vec<u8> {
     let extras = curves.extras();
     let layer =
         LayerHead { metres_per_unit: extras.metres_per_unit.unwrap_or(1.0), up: extras.up.unwrap_or(UpAxis::Y), times: None };
-    // Writing to a Vec cannot fail, so its results say nothing.
+    // Writing to a Vec cannot fail, so results can be ignored.
     let _ = layer.write(&mut out);
     let _ = write_counts(&mut out, curves.counts());
     let (low, high) = extent(curves);
@@ -86,7 +86,7 @@ pub fn write_to_bytes(curves: &Curves) -> Vec<u8> {
     out
 }
 
-/// What does not change over time: widths, colours and the like.
+/// Data that does not change over time: widths, colours and the like.
 pub(super) fn write_constant(out: &mut impl Write, curves: &Curves) -> std::io::Result<()> {
     let extras = curves.extras();
     let header = extras.hair_header.as_ref();
@@ -137,16 +137,16 @@ pub(super) fn write_constant(out: &mut impl Write, curves: &Curves) -> std::io::
     Ok(())
 }
 
-/// What a written layer says of itself.
+/// The header of a written layer.
 pub(super) struct LayerHead {
     pub metres_per_unit: f64,
     pub up: UpAxis,
-    /// Time codes a second, the first and the last time code.
+    /// Time codes per second, the first and the last time code.
     pub times: Option<(f64, f64, f64)>,
 }
 
 impl LayerHead {
-    /// From the first byte to the beginning of the curves.
+    /// From the first byte to the start of the curves.
     pub fn write(&self, out: &mut impl Write) -> std::io::Result<()> {
         let up = if self.up == UpAxis::Y { "Y" } else { "Z" };
         write!(out, "#usda 1.0\n(\n    defaultPrim = \"groom\"\n    doc = \"written by superhelix\"\n")?;
@@ -160,14 +160,14 @@ impl LayerHead {
     }
 }
 
-/// The attribute that says how many points curves have.
+/// The attribute with the curves' numbers of points.
 pub(super) fn write_counts(out: &mut impl Write, counts: &[u32]) -> std::io::Result<()> {
     write!(out, "        int[] curveVertexCounts = ")?;
     write_list(out, counts.iter())?;
     out.write_all(b"\n")
 }
 
-/// The box that holds all points with half the greatest width around each, as USD asks for.
+/// The box of all points with half the greatest width around each, as USD requires.
 pub(super) fn extent(curves: &Curves) -> ([f32; 3], [f32; 3]) {
     let extras = curves.extras();
     let default = extras.hair_header.as_ref().map_or(0.0, |header| header.thickness);

@@ -1,8 +1,7 @@
-//! A USD text file as far as curves or meshes go: what the layer says of units, axes and time, and of its prims the curves or the meshes
-//! and the placements above them.
+//! A layer of a USD text file: its units, axes and time, its curve or mesh prims, and the placements of their ancestors.
 //!
-//! A layer is read by itself: nothing that other files or variants would add to it. Where it asks for such things it is refused rather than
-//! read in part.
+//! A layer is read by itself, without anything that other files or variants would add. If it asks for such things, it is refused
+//! rather than read in part.
 
 use nalgebra::Matrix4;
 
@@ -13,13 +12,13 @@ use crate::files::usd_placement::Placement;
 use crate::files::usda_scan::Scan;
 use crate::files::usda_values::{Attribute, Interpolation, list, tuple};
 
-/// What brings in other content: names of metadata.
+/// Metadata that brings in other content.
 const ARCS: [&str; 6] = ["subLayers", "references", "payload", "inherits", "specializes", "variantSets"];
 
-/// The curves of a prim, as the file has them.
+/// The curves of a prim, as in the file.
 #[derive(Debug, Default)]
 pub(super) struct CurvesPrim {
-    /// `NurbsCurves`, not `BasisCurves`.
+    /// Whether this is `NurbsCurves` and not `BasisCurves`.
     pub nurbs: bool,
     /// linear or cubic.
     pub kind: Option<Box<str>>,
@@ -44,7 +43,7 @@ pub(super) struct CurvesPrim {
     pub weights: Attribute<Vec<f64>>,
 }
 
-/// The attributes of curves that are taken.
+/// The attributes of curves that are read.
 const WANTED: [&str; 18] = [
     "type",
     "basis",
@@ -66,14 +65,14 @@ const WANTED: [&str; 18] = [
     "pointWeights",
 ];
 
-/// What is read of a layer: what is not is read past, whatever it says.
+/// What to read of a layer; everything else is skipped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wanted {
     Curves,
     Meshes,
 }
 
-/// What a prim is, of that which is wanted.
+/// The type of a prim, among the wanted ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum PrimKind {
     None,
@@ -82,29 +81,29 @@ enum PrimKind {
     Mesh,
 }
 
-/// What a prim is for.
+/// The purpose of a prim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Purpose {
-    /// To be seen: `default`, `render`.
+    /// For rendering: `default`, `render`.
     Seen,
-    /// To work with: `guide`, `proxy`.
+    /// For editing: `guide`, `proxy`.
     Aid,
 }
 
-/// A prim: its name, the prim that it is in, its curves, its mesh and its placement if it has any. Small prims are many, so what most have not is
-/// made when the first of it is read.
+/// A prim: its name, its parent, and its curves, mesh and placement if it has any. Small prims are numerous, so rare fields are
+/// created on first use.
 #[derive(Debug)]
 pub(super) struct Prim {
     name: Box<str>,
     parent: Option<u32>,
-    /// Whether it and all above it are defined, active and not abstract.
+    /// Whether it and all its ancestors are defined, active and not abstract.
     alive: bool,
     kind: PrimKind,
-    /// Whether it says that it, and what is in it, is not to be seen.
+    /// Whether it makes itself and its descendants invisible.
     invisible: bool,
-    /// What it is for, if it says so; else what the prim that it is in is for.
+    /// Its own purpose if it has one; else its parent's.
     purpose: Option<Purpose>,
-    /// Whether it says that a skeleton moves it, and what is in it.
+    /// Whether it says that a skeleton moves it and its descendants.
     skinned: bool,
     pub curves: Option<Box<CurvesPrim>>,
     pub mesh: Option<Box<MeshPrim>>,
@@ -114,28 +113,28 @@ pub(super) struct Prim {
 /// A layer.
 #[derive(Debug)]
 pub(super) struct Layer {
-    /// What the format means where the file does not say: 0.01.
+    /// The format's default is 0.01.
     pub metres_per_unit: f64,
-    /// What the format means where the file does not say: y.
+    /// The format's default is y.
     pub up: UpAxis,
-    /// What the format means where the file does not say: 24.
+    /// The format's default is 24.
     pub time_codes_per_second: f64,
     pub prims: Vec<Prim>,
     wanted: Wanted,
 }
 
 impl Layer {
-    /// The prims that are in use and have curves.
+    /// The prims in use that have curves.
     pub fn curves(&self) -> impl Iterator<Item = (usize, &CurvesPrim)> {
         self.in_use(|prim| prim.curves.as_deref())
     }
 
-    /// The prims that are in use and have meshes.
+    /// The prims in use that have meshes.
     pub fn meshes(&self) -> impl Iterator<Item = (usize, &MeshPrim)> {
         self.in_use(|prim| prim.mesh.as_deref())
     }
 
-    /// Prims that are alive and visible and have something: those to be seen, or, where there are none, guides and proxies.
+    /// Prims that are alive, visible and not empty: those for rendering or, if there are none, guides and proxies.
     fn in_use<'a, T: 'a>(&'a self, of: impl Fn(&'a Prim) -> Option<&'a T> + 'a) -> impl Iterator<Item = (usize, &'a T)> {
         let visible = move |index: &usize| self.prims[*index].alive && !self.ancestry(*index).any(|prim| prim.invisible);
         let found: Vec<(usize, &T)> =
@@ -145,7 +144,7 @@ impl Layer {
         found.into_iter().filter(move |(index, _)| only_aids || !is_aid(*index))
     }
 
-    /// Where a prim is in the world at a time, as the placements of it and of those it is in say.
+    /// A prim's placement in the world at a time, from its own and its ancestors'.
     pub fn world(&self, prim: usize, time: f64, file: &str) -> Result<Matrix4<f64>> {
         let mut world = Matrix4::identity();
         for above in self.ancestry(prim) {
@@ -160,7 +159,7 @@ impl Layer {
         Ok(world)
     }
 
-    /// A prim and those it is in, itself first.
+    /// A prim and its ancestors, starting with itself.
     pub fn ancestry(&self, prim: usize) -> impl Iterator<Item = &Prim> {
         std::iter::successors(Some(&self.prims[prim]), |prim| prim.parent.map(|parent| &self.prims[parent as usize]))
     }
@@ -172,10 +171,10 @@ impl Layer {
         names.iter().fold(String::new(), |path, name| path + "/" + name)
     }
 
-    /// Reads a layer, as far as it is wanted.
+    /// Reads the wanted part of a layer.
     pub fn read(name: &str, bytes: &[u8], wanted: Wanted) -> Result<Self> {
         if !bytes.starts_with(b"#usda 1.") {
-            return Err(Error::file(name, "does not begin with \"#usda 1.\": no USD text file"));
+            return Err(Error::file(name, "does not begin with \"#usda 1.\": not a USD text file"));
         }
         let mut layer = Layer { metres_per_unit: 0.01, up: UpAxis::Y, time_codes_per_second: 24.0, prims: Vec::new(), wanted };
         let scan = &mut Scan::new(name, bytes);
@@ -308,7 +307,7 @@ fn skeleton(scan: &Scan<'_>) -> Error {
     scan.error("a skeleton moves these points, which is not read; bake them first (one time sample a frame, no skel: properties)")
 }
 
-/// The error that a layer asks for more than itself.
+/// The error that a layer needs more than itself.
 fn arc(scan: &Scan<'_>, what: &str) -> Error {
     scan.error(format_args!(
         "{what}: other files or variants would add to this one, which is read by itself; flatten it first (usdcat --flatten)"
@@ -328,7 +327,7 @@ fn metadata<'a>(scan: &mut Scan<'a>, mut entry: impl FnMut(&'a str, &mut Scan<'a
             Some(b'"' | b'\'') => {
                 scan.string()?;
             }
-            // What goes on with a value: the path and the offset of a reference.
+            // What follows a value: the path and the offset of a reference.
             Some(b'<' | b'(' | b',') => {
                 if !scan.accept(b',') {
                     scan.skip_value()?;
@@ -353,7 +352,7 @@ fn metadata<'a>(scan: &mut Scan<'a>, mut entry: impl FnMut(&'a str, &mut Scan<'a
     Ok(())
 }
 
-/// An attribute or a relationship, of which the type has been read.
+/// An attribute or a relationship whose type has been read.
 fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
     let full = scan.word()?;
     if full.is_empty() {
@@ -433,7 +432,7 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
     Ok(())
 }
 
-/// Takes an attribute of curves; whether it is one that is wanted.
+/// Reads an attribute of curves; returns whether it is a wanted one.
 fn take(scan: &mut Scan<'_>, curves: &mut CurvesPrim, name: &str, over_time: bool) -> Result<bool> {
     fn counts(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<u32>>, what: &'static str, over_time: bool) -> Result<()> {
         attribute.read(scan, over_time, |scan| list(scan, what, |scan| scan.count(what)))

@@ -1,4 +1,4 @@
-//! A `.usda` file and the times at which it has samples: what readers of curves and of meshes over time share.
+//! A `.usda` file and the times of its samples: shared by the readers of curves and of meshes over time.
 
 use crate::error::{Error, Result, check_finite};
 use crate::files::usda;
@@ -7,17 +7,17 @@ use crate::files::usda_layer::{Layer, Wanted};
 /// A layer with its times.
 #[derive(Debug)]
 pub(super) struct SampledLayer {
-    /// What stands for the path in errors.
+    /// Replaces the path in errors.
     pub name: String,
     pub layer: Layer,
-    /// Time codes at which there are samples, ascending; at least one.
+    /// Time codes of the samples, ascending; at least one.
     pub codes: Vec<f64>,
     /// The same in seconds.
     pub times: Vec<f64>,
 }
 
 impl SampledLayer {
-    /// Reads a file's bytes; `codes_of` says at which time codes the layer has samples, none where all stands still.
+    /// Reads a file's bytes; `codes_of` returns the time codes of the layer's samples, none for static data.
     pub fn read(name: &str, bytes: &[u8], wanted: Wanted, codes_of: impl FnOnce(&Layer) -> Vec<f64>) -> Result<Self> {
         if let Some(what) = usda::other_scene_format(bytes) {
             return Err(Error::file(name, what));
@@ -29,12 +29,12 @@ impl SampledLayer {
         }
         let times: Vec<f64> = codes.iter().map(|code| code / layer.time_codes_per_second).collect();
         if let Some((_, code)) = times.iter().zip(&codes).find(|(time, _)| !time.is_finite()) {
-            return Err(Error::file(name, format_args!("time code {code} is no time")));
+            return Err(Error::file(name, format_args!("time code {code} is not a time")));
         }
         Ok(Self { name: name.to_owned(), layer, codes, times })
     }
 
-    /// The time code of a time, s. A sample's own time gives the sample, whatever the division rounded it to.
+    /// The time code of a time, s. A sample's own time gives exactly that sample, whatever the division rounded it to.
     pub fn code_at(&self, time: f64) -> Result<f64> {
         check_finite(|| "time".to_owned(), time)?;
         let found = self.times.partition_point(|sample| *sample <= time);

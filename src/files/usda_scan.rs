@@ -1,14 +1,14 @@
-//! The words of a USD text file: numbers, names, strings, brackets, and values that nobody wants.
+//! The scanner of USD text files: numbers, names, strings, brackets, and values to skip.
 //!
-//! Line ends mean nothing here: where USD asks for one, a reader that does not take everything in gets along without. Nothing recurses, so
-//! that no nesting is too deep.
+//! Line ends have no meaning here: a reader that does not take everything can do without them. Nothing recurses, so no nesting is
+//! too deep.
 
 use std::fmt;
 
 use crate::error::{Error, Result};
 use crate::files::text::{Quote, line_error};
 
-/// Where reading is.
+/// The position in a file.
 #[derive(Clone)]
 pub(super) struct Scan<'a> {
     name: &'a str,
@@ -21,27 +21,27 @@ impl<'a> Scan<'a> {
         Self { name, bytes, at: 0 }
     }
 
-    /// The line at which reading has arrived, from 1. Counted when asked for: only errors do.
+    /// The current line, from 1. Computed on demand: only errors need it.
     fn line(&self) -> usize {
         self.line_at(self.at)
     }
 
-    /// The line of a place, from 1.
+    /// The line of a position, from 1.
     pub fn line_at(&self, place: usize) -> usize {
         1 + self.bytes[..place.min(self.bytes.len())].iter().filter(|byte| **byte == b'\n').count()
     }
 
-    /// An error about this place.
+    /// An error at the current position.
     pub fn error(&self, reason: impl fmt::Display) -> Error {
         line_error(self.name, self.line(), reason)
     }
 
-    /// The byte at which reading has arrived.
+    /// The current position, in bytes.
     pub fn place(&self) -> usize {
         self.at
     }
 
-    /// Blanks, semicolons and comments.
+    /// Skips blanks, semicolons and comments.
     fn skip_blanks(&mut self) {
         loop {
             match self.bytes[self.at..] {
@@ -60,7 +60,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The next byte that says something; `None` at the end of the file.
+    /// The next significant byte; `None` at the end of the file.
     pub fn peek(&mut self) -> Option<u8> {
         self.skip_blanks();
         self.bytes.get(self.at).copied()
@@ -73,7 +73,7 @@ impl<'a> Scan<'a> {
         found
     }
 
-    /// Takes this byte, which must be the next.
+    /// Takes this byte; an error if it is not the next.
     pub fn expect(&mut self, wanted: u8, what: impl fmt::Display) -> Result<()> {
         if self.accept(wanted) {
             return Ok(());
@@ -81,7 +81,7 @@ impl<'a> Scan<'a> {
         Err(self.unexpected(format_args!("{:?} {what}", char::from(wanted))))
     }
 
-    /// The error that something else stands here.
+    /// The error that something unexpected is here.
     pub fn unexpected(&mut self, expected: impl fmt::Display) -> Error {
         match self.peek() {
             Some(_) => {
@@ -93,7 +93,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// What stands until a blank, bracket, comma, colon, equals sign or quote; `stops` are further ends, `joins` no ends.
+    /// Everything up to a blank, bracket, comma, colon, equals sign or quote; `stops` end it too, `joins` do not.
     fn run(&mut self, joins: &[u8]) -> &'a [u8] {
         self.skip_blanks();
         let rest = &self.bytes[self.at..];
@@ -103,13 +103,13 @@ impl<'a> Scan<'a> {
         &rest[..length]
     }
 
-    /// A name such as `def`, `primvars:displayColor` or `points.timeSamples`; empty if none stands here.
+    /// A name such as `def`, `primvars:displayColor` or `points.timeSamples`; empty if there is none here.
     pub fn word(&mut self) -> Result<&'a str> {
         let bytes = self.run(b":");
         self.text(bytes)
     }
 
-    /// A type such as `point3f[]`, of which the first word has been read: whether the brackets follow.
+    /// Whether brackets follow the first word of a type such as `point3f[]`.
     pub fn brackets(&mut self) -> bool {
         let found = self.bytes[self.at..].starts_with(b"[]");
         self.at += if found { 2 } else { 0 };
@@ -121,7 +121,7 @@ impl<'a> Scan<'a> {
             .map_err(|error| self.error(format_args!("not text (byte {} is not UTF-8)", error.valid_up_to())))
     }
 
-    /// A string in single, double or three quotes, as it stands in the file.
+    /// A string in single, double or triple quotes, unprocessed.
     pub fn string(&mut self) -> Result<&'a str> {
         let quote = match self.peek() {
             Some(quote @ (b'"' | b'\'')) => quote,
@@ -144,7 +144,7 @@ impl<'a> Scan<'a> {
         Ok(text)
     }
 
-    /// A whole number or one with a point, as it stands in the file.
+    /// A whole or decimal number, unparsed.
     fn digits(&mut self, what: &str) -> Result<&'a str> {
         let before = self.at;
         let bytes = self.run(b"");
@@ -164,7 +164,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// A number rounded once, to single precision, and finite there.
+    /// A number rounded once to single precision, and finite there.
     pub fn single(&mut self, what: &str) -> Result<f32> {
         let word = self.digits(what)?;
         match word.parse::<f32>() {
@@ -176,12 +176,12 @@ impl<'a> Scan<'a> {
     /// A count or an index.
     pub fn count(&mut self, what: &str) -> Result<u32> {
         let word = self.digits(what)?;
-        // Exporters write counts as signed numbers; none is below zero.
+        // Exporters write counts as signed numbers; none is negative.
         word.parse()
             .map_err(|_| self.error(format_args!("{what} is {}; expected a whole number from 0 to 4294967295", Quote(word))))
     }
 
-    /// Whether the value that begins here is `None`: nothing. Takes the word if so.
+    /// Whether the value here is `None`. Takes the word if so.
     pub fn accept_none(&mut self) -> bool {
         self.skip_blanks();
         let rest = &self.bytes[self.at..];
@@ -190,7 +190,7 @@ impl<'a> Scan<'a> {
         found
     }
 
-    /// Past a value of any kind: a word, a string, a path, or all between a bracket and its partner.
+    /// Skips a value of any type: a word, a string, a path, or everything between a bracket and its partner.
     pub fn skip_value(&mut self) -> Result<()> {
         let mut open: Vec<(u8, usize)> = Vec::new();
         loop {
@@ -243,7 +243,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Past `@file@` or `@@@file@@@`.
+    /// Skips `@file@` or `@@@file@@@`.
     fn skip_asset(&mut self) -> Result<()> {
         let rest = &self.bytes[self.at..];
         let mark: &[u8] = if rest.starts_with(b"@@@") { b"@@@" } else { b"@" };

@@ -3,28 +3,28 @@
 use crate::error::{Error, Result};
 use crate::files::usda_scan::Scan;
 
-/// How many values go with a curve.
+/// How many values a curve has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Interpolation {
     /// One for all curves.
     Constant,
-    /// One a curve.
+    /// One per curve.
     Uniform,
     /// One at each end of a span.
     Varying,
-    /// One a control point, or a vertex of a mesh.
+    /// One per control point, or per vertex of a mesh.
     Vertex,
-    /// One a corner of each face of a mesh; of curves the same as one a control point.
+    /// One per corner of each face of a mesh; for curves the same as one per control point.
     FaceVarying,
 }
 
-/// What an attribute says, and when. An empty attribute takes no memory beside its own.
+/// The values of an attribute over time. An empty attribute allocates nothing.
 #[derive(Debug, Clone)]
 pub(super) struct Attribute<T> {
     default: Option<T>,
-    /// Times, ascending, and values; `None`: nothing from here on.
+    /// Times, ascending, and values; `None` means no value from here on.
     samples: Vec<(f64, Option<T>)>,
-    /// Where the file says it.
+    /// The file's choice, if it makes one.
     pub interpolation: Option<Interpolation>,
 }
 
@@ -64,12 +64,13 @@ impl<T> Attribute<T> {
         }
     }
 
-    /// The times at which it is sampled.
+    /// The times of its samples.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
         self.samples.iter().map(|(time, _)| *time)
     }
 
-    /// The value that holds at a time: of the last sample that is not after it, of the first before that, without samples the default.
+    /// The value at a time: that of the last sample not after it; before all samples that of the first; without samples the
+    /// default.
     pub fn at(&self, time: f64) -> Option<&T> {
         match self.samples.partition_point(|(sample, _)| *sample <= time) {
             0 => self.samples.first().map_or(self.default.as_ref(), |(_, value)| value.as_ref()),
@@ -77,7 +78,7 @@ impl<T> Attribute<T> {
         }
     }
 
-    /// The samples before and after a time that lies between two, both there, and how far it is from the one to the other.
+    /// The samples around a time between two present samples, and how far it is from the first to the second.
     pub fn between(&self, time: f64) -> Option<(&T, &T, f64)> {
         let after = self.samples.partition_point(|(sample, _)| *sample <= time);
         if after == 0 || after == self.samples.len() || self.samples[after - 1].0 == time {
@@ -89,18 +90,18 @@ impl<T> Attribute<T> {
 }
 
 impl<T: PartialEq> Attribute<T> {
-    /// Whether all its samples are the same.
+    /// Whether all its samples are equal.
     pub fn stands_still(&self) -> bool {
         self.samples.windows(2).all(|pair| pair[0].1 == pair[1].1)
     }
 }
 
 impl<const N: usize> Attribute<Vec<[f32; N]>> {
-    /// The vectors at a time, between two samples of as many straight from the one to the other.
+    /// The vectors at a time, interpolated linearly between two samples of equal length.
     pub fn vectors_at(&self, time: f64) -> Option<Vec<[f32; N]>> {
         match self.between(time) {
-            Some((before, after, share)) if before.len() == after.len() => {
-                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * share) as f32;
+            Some((before, after, fraction)) if before.len() == after.len() => {
+                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * fraction) as f32;
                 let pairs = before.iter().zip(after);
                 Some(pairs.map(|(a, b)| std::array::from_fn(|axis| mix(a[axis], b[axis]))).collect())
             }
@@ -109,7 +110,7 @@ impl<const N: usize> Attribute<Vec<[f32; N]>> {
     }
 }
 
-/// The entries of a primvar in their order; the index that is of no entry.
+/// The entries of a primvar in their order, or the index without an entry.
 pub(super) fn indexed<T: Copy>(values: Option<&Vec<T>>, indices: Option<&Vec<u32>>) -> std::result::Result<Option<Vec<T>>, u32> {
     match (values, indices) {
         (None, _) => Ok(None),
@@ -122,7 +123,7 @@ pub(super) fn indexed<T: Copy>(values: Option<&Vec<T>>, indices: Option<&Vec<u32
     }
 }
 
-/// Adds to a list, or says that there is no memory for it.
+/// Appends to a list, or reports that memory ran out.
 fn push<T>(list: &mut Vec<T>, item: T) -> Result<()> {
     if list.len() == list.capacity() {
         list.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes: 2 * list.len() * size_of::<T>() })?;
@@ -159,7 +160,7 @@ pub(super) fn tuple<const N: usize>(scan: &mut Scan<'_>, what: &str) -> Result<[
     Ok(values)
 }
 
-/// Any number of numbers, however they are nested: `1`, `(1, 2, 3)`, `((1, 0), (0, 1))`; at most `most`.
+/// All numbers of any nesting: `1`, `(1, 2, 3)`, `((1, 0), (0, 1))`; at most `most`.
 pub(super) fn flat(scan: &mut Scan<'_>, what: &str, most: usize) -> Result<Vec<f64>> {
     let (mut values, mut depth) = (Vec::new(), 0_usize);
     loop {

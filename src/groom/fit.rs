@@ -1,22 +1,22 @@
-//! A strand from a curve: the Super-Helix whose centreline comes closest at equal arclength.
+//! Fits a strand to a curve: finds the Super-Helix whose centreline comes closest at equal arclength.
 //!
-//! The squared distance at the curve's points, weighted by the length that each stands for, is minimised over the elements' curvatures, where
-//! the elements begin and end, and the root's direction, by Levenberg and Marquardt's method. Its linear systems take linear time, as those of
-//! a step do (`fit/linearised.rs`). The length is the curve's, by construction. Several starts are tried until one is good: helices that the
-//! curve's curvature resembles, an element at a time, on nodes where the curvature varies and on others (`fit/start.rs`). Where the largest
-//! distance is still too large, least squares with other weights lower it. `docs/notebook/groom_fit.md` has what that leaves on real grooms, beside other
-//! methods.
+//! The Levenberg–Marquardt method minimises the squared distance at the curve's points, each weighted by the length around it,
+//! over the elements' curvatures, the nodes between them, and the root's direction. Its linear systems take linear time, like
+//! those of a step (`fit/linearised.rs`). The fitted length equals the curve's by construction. The search tries several starts
+//! until one is good: per element the helix nearest to the curve's own curvature, on nodes that follow the variation of the
+//! curvature and on others (`fit/start.rs`). If the largest distance is still too large, reweighted least squares lower it.
+//! `docs/notebook/groom_fit.md` compares the errors on real grooms with other methods.
 //!
 //! Files:
 //!
-//! - `bulk.rs`: Many curves at once.
-//! - `linearised.rs`: The least squares of one strand, linearised: residuals at the samples, and the step of Levenberg and Marquardt's method in linear time.
-//! - `measure.rs`: How far a strand is from its samples.
-//! - `samples.rs`: The places of a curve that a strand is fitted to, in units of its length.
-//! - `search.rs`: Levenberg and Marquardt's method on one strand: what it minimises, and how it is damped.
-//! - `shape.rs`: The strand that is sought, in units of its length: root at the origin, total length 1.
-//! - `start.rs`: Where the search starts: the curvature of the curve in frames without twist, and the helix that it resembles, an element at a time.
-//! - `target.rs`: What a strand is fitted to: the curve's points, checked, in units of its length, and fewer of them where there are very many.
+//! - `bulk.rs`: Fits many curves at once.
+//! - `linearised.rs`: The linearised least squares of one strand: residuals at the samples, and the Levenberg–Marquardt step in linear time.
+//! - `measure.rs`: Distances between a strand and its samples.
+//! - `samples.rs`: Samples of a curve to fit, relative to its length.
+//! - `search.rs`: The Levenberg–Marquardt search on one strand.
+//! - `shape.rs`: The strand under search, relative to its length: root at the origin, total length 1.
+//! - `start.rs`: Starts of the search: the curve's curvature in twist-free frames, and for each element the helix that it resembles.
+//! - `target.rs`: The target of a fit: the curve's points, checked, relative to its length, and thinned out where there are very many.
 
 pub mod bulk;
 mod linearised;
@@ -38,10 +38,10 @@ use measure::Errors;
 use samples::Sample;
 use search::Search;
 use shape::Shape;
-use start::{Kind, Nodes};
+use start::{Nodes, Start};
 use target::Target;
 
-/// How to fit.
+/// Options of a fit.
 ///
 /// ```
 /// use superhelix::hair::{FitOptions, fit_polyline};
@@ -54,38 +54,39 @@ use target::Target;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
-    /// Helical elements of the fitted strand, 1 to [`MAX_ELEMENTS`]; with a tolerance, the most. Default 10.
+    /// Helical elements of the fitted strand, 1 to [`MAX_ELEMENTS`]; with a tolerance, their largest number. Default 10.
     pub element_count: usize,
-    /// The smallest number of elements for which no point of the curve is farther than this from the strand at equal arclength, m; found by
-    /// doubling and halving, so that it keeps the tolerance and one element less does not. Where even [`FitOptions::element_count`] do not keep
-    /// it, the fit has that many and its [`Fit::max_error`] says so. Default: none.
+    /// The tolerance, m: the fit takes the smallest number of elements for which no point of the curve is farther than this from
+    /// the strand at equal arclength. It finds the number by doubling and bisection, so that one element fewer exceeds the
+    /// tolerance. If even [`FitOptions::element_count`] exceed it, the fit has that many, and [`Fit::max_error`] shows the error.
+    /// Default: none.
     pub tolerance: Option<f64>,
-    /// Whether elements may differ in length. Default [`ElementLengths::WhereNeeded`].
+    /// Whether elements may have different lengths. Default [`ElementLengths::WhereNeeded`].
     pub lengths: ElementLengths,
-    /// The least length of an element in those of equal ones, 0.05 to 1. Default 0.3.
+    /// The least length of an element, relative to that of equal elements, 0.05 to 1. Default 0.3.
     pub least_length: f64,
-    /// Whether elements may be twisted. Without twist (κ0 = 0) the material frames are those carried along the centreline without turning
-    /// about it, and elements are arcs of circles; with it there is no more than brings the centreline closer. Default true.
+    /// Whether elements may have twist. Without it (κ0 = 0) the material frames are parallel-transported along the centreline,
+    /// and elements are circular arcs; with it they have no more twist than brings the centreline closer. Default true.
     pub twist: bool,
-    /// How many starts are tried at most, 1 to [`MAX_STARTS`]. Default 4.
+    /// The largest number of starts, 1 to [`MAX_STARTS`]. Default 4.
     pub starts: usize,
-    /// A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
-    /// 0: every start is tried and every search goes on to its end, at ten times the time.
+    /// A start is good, and the last one, when the root mean square distance is below this fraction of the length; 0 to 1.
+    /// Default 1e-3. 0 tries every start and finishes every search, at ten times the time.
     pub good: f64,
-    /// A strand whose largest distance is above this share of the length has it lowered below, or as far as it goes, at the cost of the root mean
-    /// square; 0 to 1. Default 0.01. 1: never. With a tolerance that is used in its place.
+    /// If the largest distance exceeds this fraction of the length, the fit lowers it, at the cost of the root mean square; 0 to
+    /// 1. Default 0.01. 1 never does. A tolerance replaces it.
     pub good_largest: f64,
-    /// What the points may be off by, m; 0 or above. Where the curve zigzags by noise its edges add up to more than its length: with this
-    /// the length and the arclengths are taken along the means of runs of points that are eight times as long. Default 0. The noise of
-    /// curves with arclengths of their own is left as it is.
+    /// Noise of the points, m; 0 or above. On a noisy curve the edges add up to more than its length: with this set, the length
+    /// and the arclengths follow the means of runs of points eight times as long as the noise. Default 0. Has no effect on curves
+    /// with arclengths of their own.
     pub noise: f64,
-    /// Where the curve has frames: how many metres of distance, in units of its length, one radian between the frames is worth; 0 or above.
-    /// Default 3e-3.
+    /// For curves with frames: the distance, relative to the curve's length, that counts as much as one radian between the
+    /// frames; 0 or above. Default 3e-3.
     pub frame_weight: f64,
 }
 
-/// The most starts there are.
-pub const MAX_STARTS: usize = start::KINDS.len();
+/// The largest number of starts.
+pub const MAX_STARTS: usize = start::STARTS.len();
 
 impl Default for FitOptions {
     fn default() -> Self {
@@ -105,20 +106,20 @@ impl Default for FitOptions {
 }
 
 impl FitOptions {
-    /// The default way to that number of elements.
+    /// The default options for this number of elements.
     pub fn elements(element_count: usize) -> Self {
         Self { element_count, ..Self::default() }
     }
 
-    /// The smallest number of elements up to `most` that keeps a tolerance, m.
+    /// Options for the smallest number of elements up to `most` within a tolerance, m.
     pub fn within(tolerance: f64, most: usize) -> Self {
         Self { element_count: most, tolerance: Some(tolerance), ..Self::default() }
     }
 
-    /// Checks every value; `argument` is the name put before the field in the message, with its dot.
+    /// Checks every value; messages put `argument`, with its dot, before the field's name.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for the first that is out of range.
+    /// [`Error::InvalidArgument`] for the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
         let name = |field: &str| format!("{argument}{field}");
         if !(1..=MAX_ELEMENTS).contains(&self.element_count) {
@@ -148,35 +149,36 @@ impl FitOptions {
     }
 }
 
-/// Whether a strand's elements may differ in length.
+/// Whether a strand's elements may have different lengths.
 ///
-/// Free lengths halve the error. A strand steps as fast with them, but [`Solver::sample_tiles`](crate::solver::Solver::sample_tiles) takes
-/// strands of equal elements side by side and others one by one.
+/// Free lengths halve the error. A strand steps as fast with them, but
+/// [`Solver::sample_tiles`](crate::solver::Solver::sample_tiles) samples strands of equal elements side by side and others one by
+/// one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ElementLengths {
-    /// All are equally long.
+    /// All are equal.
     Equal,
-    /// Equally long where that is good ([`FitOptions::good`], or the tolerance), else free.
+    /// Equal where that is good ([`FitOptions::good`], or the tolerance), else free.
     #[default]
     WhereNeeded,
     /// Free.
     Free,
 }
 
-/// Where a strand's root frame comes from. Its origin is the curve's first point.
+/// The source of a strand's root frame. Its origin is the curve's first point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum FitRoot {
-    /// From the curve: its direction is fitted with the rest, beginning with the first edge's; n1 is as near as can be to a world axis that
-    /// the edge is far from, or to that of the curve's first frame.
+    /// From the curve: the fit finds its direction, starting from the first edge's; n1 is as close as possible to a world axis
+    /// far from the edge, or to that of the curve's first frame.
     #[default]
     Curve,
-    /// The strand leaves in this direction, of any length above zero: the follicle's. n1 as above.
+    /// The follicle's direction, of any length above zero. n1 as above.
     Direction(Vector3<f64>),
-    /// The root has this frame: the scalp's, for example.
+    /// This frame: the scalp's, for example.
     Frame(UnitQuaternion<f64>),
 }
 
-/// A curve to fit a strand to. Splines are made into points first: [`crate::groom::spline`].
+/// A curve to fit. Splines are converted to points first: [`crate::groom::spline`].
 ///
 /// ```
 /// use superhelix::hair::{FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
@@ -190,21 +192,21 @@ pub enum FitRoot {
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct FitCurve<'a> {
-    /// Points in metres, root first; at least two distinct ones. Doubled points are skipped, with what is given for them below.
+    /// Points in metres, root first; at least two distinct ones. Repeated points are skipped, with their data below.
     pub points: &'a [Vector3<f64>],
-    /// The arclength of each point, m, where it is known better than by the sum of the edges: from 0, ascending.
+    /// The arclength of each point, m, if known better than the sum of the edges: from 0, ascending.
     pub arclengths: Option<&'a [f64]>,
-    /// A material frame at each point, of which n1 counts (the image of the y axis): the strand's frames follow them as well as they can
-    /// ([`FitOptions::frame_weight`]). A helix that bends cannot also turn its frame freely.
+    /// A material frame at each point, of which n1 (the image of the y axis) counts: the strand's frames follow it as well as
+    /// possible ([`FitOptions::frame_weight`]). A helix that bends cannot turn its frame freely as well.
     pub frames: Option<&'a [UnitQuaternion<f64>]>,
     /// The hair's width at each point, m, 0 or above.
     pub widths: Option<&'a [f64]>,
-    /// Where the root frame comes from.
+    /// The source of the root frame.
     pub root: FitRoot,
 }
 
 impl<'a> FitCurve<'a> {
-    /// A polyline and no more.
+    /// A plain polyline.
     pub fn polyline(points: &'a [Vector3<f64>]) -> Self {
         Self { points, arclengths: None, frames: None, widths: None, root: FitRoot::Curve }
     }
@@ -213,7 +215,7 @@ impl<'a> FitCurve<'a> {
 /// A fitted strand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// Root frame: at the first point.
+    /// Root frame, at the first point.
     pub root: Frame,
     /// Element lengths, m; their sum is the curve's length to rounding.
     pub element_lengths: Vec<f64>,
@@ -223,24 +225,24 @@ pub struct Fit {
     pub rms_error: f64,
     /// The largest such distance, m.
     pub max_error: f64,
-    /// The largest distance of the curve's points from the centreline, wherever on it the nearest place is, m; no more than `max_error`.
-    /// Searched for downhill from equal arclength: not below the true distance.
+    /// The largest distance of the curve's points from the nearest place of the centreline, m; at most `max_error`. The search
+    /// goes downhill from equal arclength, so it never underestimates.
     pub max_distance: f64,
-    /// Root mean square of the angle between n1 of the strand and of the curve's frames about the tangent, rad; 0 without frames.
+    /// Root mean square of the angle about the tangent between n1 of the strand and of the curve's frames, rad; 0 without frames.
     pub frame_error: f64,
     /// Half the mean width along the curve, m; `None` without widths.
     pub radius: Option<f64>,
 }
 
-/// Memory for fitting, used again from strand to strand.
+/// Memory for fitting, reused from strand to strand.
 #[derive(Default)]
 pub struct FitScratch {
-    search: search::Scratch,
-    start: start::Scratch,
+    search: search::SearchScratch,
+    start: start::StartScratch,
     target: Target,
     shape: Shape,
     best: Shape,
-    /// The samples, those far off with more weight.
+    /// The samples, with more weight on distant ones.
     weighted: Vec<Sample>,
 }
 
@@ -258,11 +260,11 @@ pub fn fit_polyline(points: &[Vector3<f64>], options: &FitOptions) -> Result<Fit
     fit_curve(&FitCurve::polyline(points), options, &mut FitScratch::default())
 }
 
-/// Fits a strand to a curve. The result does not depend on what the scratch was used for before.
+/// Fits a strand to a curve. The result does not depend on earlier uses of the scratch memory.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for numbers that are not finite, fewer than two distinct points, lists that do not have one entry a point,
-/// arclengths that do not ascend from 0, widths below zero, a direction without length, or options out of range.
+/// [`Error::InvalidArgument`] for numbers that are not finite, fewer than two distinct points, lists without exactly one entry
+/// per point, arclengths that do not ascend from 0, widths below zero, a direction without length, or options out of range.
 pub fn fit_curve(curve: &FitCurve<'_>, options: &FitOptions, scratch: &mut FitScratch) -> Result<Fit> {
     options.check("options.")?;
     scratch.target.set(curve, options)?;
@@ -294,27 +296,27 @@ pub fn fit_curve(curve: &FitCurve<'_>, options: &FitOptions, scratch: &mut FitSc
     Ok(least)
 }
 
-/// Weight of a strand's own twist, ∫ (κ0 L)² ds against the mean squared distance, both in units of the length: a twist that moves the
-/// centreline by less than what it costs is noise, and an element that turns by many radians for nothing cannot bend its axis when it is
-/// simulated. The search charges less of it the closer the strand comes, so that exact helices are found exactly.
+/// Weight of a strand's own twist, ∫ (κ0 L)² ds, against the mean squared distance, both relative to the length. A twist that
+/// moves the centreline by less than its cost is noise, and an element that turns by many radians for nothing cannot bend its
+/// axis in simulation. The search charges less as the strand comes closer, so that exact helices are found exactly.
 const TWIST_WEIGHT: f64 = 1e-8;
-/// Weight of (ℓ − L/N)² (N/L)², summed over the elements, against the mean squared distance in units of the length: nodes whose place does not
-/// matter stay.
+/// Weight of (ℓ − L/N)² (N/L)², summed over the elements, against the mean squared distance relative to the length: nodes whose
+/// position does not matter stay.
 const SPACING_WEIGHT: f64 = 1e-8;
-/// Iterations from one start, and of the best once more.
+/// Iterations from one start, and of the best start once more.
 const ITERATIONS: [usize; 2] = [30, 60];
-/// A search ends when two iterations have gained less of the cost than this each.
+/// A search ends when two iterations have each reduced the cost by less than this fraction.
 const LEAST_GAIN: f64 = 1e-2;
-/// The same for those who are content with nothing.
+/// The same when every search is to be finished.
 const ITERATIONS_TO_THE_END: [usize; 2] = [100, 500];
 const LEAST_GAIN_TO_THE_END: f64 = 1e-5;
 
-/// How often the largest distance is lowered by weighing anew, and the iterations of each search.
+/// How often to reweight to lower the largest distance, and the iterations of each search.
 const REWEIGHED: usize = 16;
 const REWEIGHED_ITERATIONS: usize = 2;
 
 impl FitScratch {
-    /// The best of the starts, into `best`; distances in units of the length.
+    /// The best of the starts, into `best`; distances relative to the length.
     fn fit(&mut self, count: usize, options: &FitOptions, tolerance: Option<f64>) -> Errors {
         let ([iterations, last_iterations], least_gain) =
             if options.good > 0.0 { (ITERATIONS, LEAST_GAIN) } else { (ITERATIONS_TO_THE_END, LEAST_GAIN_TO_THE_END) };
@@ -323,13 +325,13 @@ impl FitScratch {
             weights: Weights { twist: TWIST_WEIGHT, normal: options.frame_weight.powi(2), spacing: SPACING_WEIGHT },
             iterations,
             least_gain,
-            // What is a thousandth of good needs no polish.
+            // A thousandth of good needs no refinement.
             enough: (1e-3 * options.good).powi(2),
             least_length: options.least_length,
         };
         self.target.coarsen(count);
         self.start.look_at(&self.target, count);
-        // Of the best: what is left of all that is weighed, and whether its nodes are free.
+        // For the best: its weighted cost, and whether its nodes are free.
         let mut best: Option<(f64, bool)> = None;
         for (kind, nodes) in attempts(options, count, self.target.has_normals()) {
             let search = Search { freedom: Freedom { nodes, ..search.freedom }, ..search };
@@ -348,7 +350,7 @@ impl FitScratch {
                     break;
                 }
             }
-            // So far off that no other start will do.
+            // Too far off for another start to help.
             if nodes && tolerance.is_some_and(|tolerance| squared.sqrt() > 3.0 * tolerance) {
                 break;
             }
@@ -360,8 +362,8 @@ impl FitScratch {
         measure::errors(&self.best, &self.target.samples)
     }
 
-    /// Brings the largest distance of `best`, where [`FitScratch::search`] has just ended, below `good`, or as low as it comes: least squares
-    /// again and again, with weights that grow where the strand is far off (Lawson's algorithm; Rice and Usow 1968).
+    /// Brings the largest distance of `best`, the result of the last [`FitScratch::search`], below `good`, or as low as possible:
+    /// repeated least squares, with weights that grow where the strand is far off (Lawson's algorithm; Rice and Usow 1968).
     fn lower_largest(&mut self, good: f64, search: &Search) {
         let mut least = self.search.largest();
         let good = good * good;
@@ -414,12 +416,13 @@ impl FitScratch {
     }
 }
 
-/// The starts to try, and whether nodes are free from there.
-fn attempts(options: &FitOptions, count: usize, has_normals: bool) -> impl Iterator<Item = (Kind, bool)> {
+/// The starts to try, and whether their nodes are free.
+fn attempts(options: &FitOptions, count: usize, has_normals: bool) -> impl Iterator<Item = (Start, bool)> {
     let FitOptions { starts, twist, lengths, .. } = *options;
     let free = lengths != ElementLengths::Equal && count > 1;
-    let allowed = move |kind: &Kind| !kind.twisted || twist && !has_normals;
-    let first = (free && lengths == ElementLengths::WhereNeeded).then_some((Kind { nodes: Nodes::Equal, twisted: false }, false));
-    let kinds = start::KINDS.into_iter().filter(move |kind| allowed(kind) && (free || kind.nodes == Nodes::Equal));
+    let allowed = move |kind: &Start| !kind.twisted || twist && !has_normals;
+    let first =
+        (free && lengths == ElementLengths::WhereNeeded).then_some((Start { nodes: Nodes::Equal, twisted: false }, false));
+    let kinds = start::STARTS.into_iter().filter(move |kind| allowed(kind) && (free || kind.nodes == Nodes::Equal));
     first.into_iter().chain(kinds.take(starts).map(move |kind| (kind, free)))
 }

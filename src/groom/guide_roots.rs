@@ -1,5 +1,5 @@
-//! The region that guides' roots stand in: how far they are apart, how near other places are to them, and places among them where no scalp
-//! is known.
+//! The region of the guides' roots: their spacing, the distance of other places from them, and random places among them where no
+//! scalp is known.
 
 use nalgebra::Vector3;
 
@@ -7,13 +7,15 @@ use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::point_tree::PointTree;
 use crate::math::random::Seeded;
 
-/// Nearest roots from which a triangle's corners are taken, the root itself among them.
+/// Nearest roots, including the root itself, from which a triangle's corners are chosen.
 const NEIGHBOURS: usize = 7;
 
-/// Nearest roots by whose directions it is told whether a place is among them, and how far away they count, in their distances from each other.
+/// Nearest roots whose directions decide whether a place is among them, and their largest distance that counts, relative to their
+/// spacing.
 const AROUND: usize = 8;
 const REACH: f64 = 2.5;
-/// A place is among roots where the mean of their directions is shorter than the one, beside them where it is longer than the other.
+/// A place is among roots if the mean of their directions is shorter than the first limit, and beside them if it is longer than
+/// the second.
 const AMONG: f64 = 0.5;
 const BESIDE: f64 = 0.65;
 
@@ -22,7 +24,7 @@ fn fading(value: f64, from: f64, to: f64) -> f64 {
     ((to - value) / (to - from)).clamp(0.0, 1.0)
 }
 
-/// Guides' roots, found by nearness. They do not change: any threads may use them at the same time.
+/// Guides' roots with nearest-neighbour queries. Immutable: any threads may use them at the same time.
 ///
 /// ```
 /// use superhelix::hair::GuideRoots;
@@ -47,7 +49,7 @@ impl PartialEq for GuideRoots {
 }
 
 impl GuideRoots {
-    /// From places, m.
+    /// From positions, m.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`roots`) for none, or numbers that are not finite.
@@ -63,8 +65,8 @@ impl GuideRoots {
         Ok(Self { tree: PointTree::new(&roots), roots })
     }
 
-    /// The distance within which nine tenths of the roots have another beside them, those at the same place left out, m; none where all
-    /// are at one place.
+    /// The distance within which nine tenths of the roots have another beside them, not counting those at the same place, m;
+    /// `None` if all are at one place.
     pub fn spacing(&self) -> Option<f64> {
         let mut found = Vec::new();
         let mut all: Vec<f64> = self.roots.iter().filter_map(|root| self.beside(root, &mut found)).collect();
@@ -72,9 +74,9 @@ impl GuideRoots {
         all.get(all.len() * 9 / 10).copied()
     }
 
-    /// The distance of the nearest root that is elsewhere.
+    /// The distance to the nearest root at a different place.
     fn beside(&self, root: &Vector3<f64>, found: &mut Vec<(f64, u32)>) -> Option<f64> {
-        // The nearest is the root itself; more of them only where roots are doubled.
+        // The nearest is the root itself; more of them only where roots coincide.
         let mut count = 2;
         loop {
             self.tree.nearest(*root, count, found);
@@ -88,9 +90,9 @@ impl GuideRoots {
         }
     }
 
-    /// How much of places belongs to the region: 1 up to the distance `within` (m) from the nearest root, from there on linearly less, 0
-    /// from twice the distance on. As densities of vertices for [`Scalp::scatter`](super::scalp::Scalp::scatter) they are as coarse as the mesh;
-    /// [`Density::Roots`](super::scalp::Density::Roots) is not.
+    /// How much each place belongs to the region: 1 up to the distance `within` (m) from the nearest root, then falling linearly
+    /// to 0 at twice the distance. As densities of vertices for [`Scalp::scatter`](super::scalp::Scalp::scatter) they are as
+    /// coarse as the mesh; [`Density::Roots`](super::scalp::Density::Roots) is not.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`within`) unless it is above zero.
@@ -105,8 +107,8 @@ impl GuideRoots {
         Ok(places.iter().map(&mut near).collect())
     }
 
-    /// How much of a place is near the roots: 1 up to three quarters of the distance `within` (m) from the nearest, from there on linearly less,
-    /// 0 from that distance on.
+    /// How close a place is to the roots: 1 up to three quarters of the distance `within` (m) from the nearest, then falling
+    /// linearly to 0 at that distance.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`within`) unless it is above zero.
@@ -118,9 +120,9 @@ impl GuideRoots {
         Ok(fading(distance / within, 0.75, 1.0))
     }
 
-    /// How much of a place the roots cover, by how far they are apart (`spacing`, m): 1 where it is among them and no farther from the nearest
-    /// than they are from each other, 0 from a quarter farther on; beside them 1 up to three tenths of that distance, 0 from six tenths on. Hair
-    /// grows there: not on faces, ears and necks about which there are guides.
+    /// How far the roots cover a place, by their spacing (`spacing`, m). Among the roots: 1 up to one spacing from the nearest, 0
+    /// from a quarter farther on. Beside them: 1 up to three tenths of the spacing, 0 from six tenths on. So hair grows among the
+    /// guides, not on faces, ears and necks beside them.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`spacing`) unless it is above zero.
@@ -129,17 +131,22 @@ impl GuideRoots {
         let mut found = Vec::new();
         self.tree.nearest(place, AROUND, &mut found);
         let away = found.first().map_or(f64::INFINITY, |(squared, _)| squared.sqrt()) / spacing;
-        // Directions of roots on all sides cancel; those of a straight border's have a mean of 2/π, the more the farther beside it.
-        let ways = found.iter().map(|(_, root)| self.roots[*root as usize] - place).filter(|way| way.norm() <= REACH * spacing);
-        let (sum, count) = ways
-            .fold((Vector3::zeros(), 0.0), |(sum, count), way| (sum + way.try_normalize(0.0).unwrap_or_default(), count + 1.0));
+        // Directions to roots on all sides cancel; those to the roots of a straight border have a mean of 2/π, and more farther
+        // out.
+        let directions = found
+            .iter()
+            .map(|(_, root)| self.roots[*root as usize] - place)
+            .filter(|direction| direction.norm() <= REACH * spacing);
+        let (sum, count) = directions.fold((Vector3::zeros(), 0.0), |(sum, count), direction| {
+            (sum + direction.try_normalize(0.0).unwrap_or_default(), count + 1.0)
+        });
         let lopsided = if count > 1.0 { sum.norm() / count } else { 1.0 };
         let among = fading(lopsided, AMONG, BESIDE) * fading(away, 1.0, 1.25);
         Ok(among.max(fading(away, 0.3, 0.6)))
     }
 
-    /// Random places in triangles of a root and two of the six nearest to it, each root in turn: where render strands may grow when no scalp
-    /// is known. The same seed gives the same places.
+    /// Random places in triangles of a root and two of the six nearest to it, taking the roots in turn: where render strands may
+    /// grow if no scalp is known. The same seed gives the same places.
     pub fn among(&self, count: usize, seed: u64) -> Vec<Vector3<f64>> {
         let numbers = [12, 13, 14, 15].map(|purpose| Seeded::new(seed, purpose));
         let mut found = Vec::new();
@@ -155,7 +162,7 @@ impl GuideRoots {
         let place = |index: usize| {
             let (root, near) = (self.roots[index % self.roots.len()], &neighbours[index % self.roots.len()]);
             let [first, second, a, b] = numbers.map(|numbers| numbers.unit(index as u64));
-            let pick = |share: f64| self.roots[near[(share * near.len() as f64) as usize] as usize] - root;
+            let pick = |fraction: f64| self.roots[near[(fraction * near.len() as f64) as usize] as usize] - root;
             let (a, b) = if a + b > 1.0 { (1.0 - a, 1.0 - b) } else { (a, b) };
             root + pick(first) * a + pick(second) * b
         };
@@ -167,7 +174,7 @@ impl GuideRoots {
 mod tests {
     use super::*;
 
-    /// A lattice of 1 cm in a plane, one of its roots doubled.
+    /// A lattice of 1 cm in a plane, with one root doubled.
     fn lattice() -> GuideRoots {
         let mut roots: Vec<_> = (0..100).map(|k| Vector3::new(0.01 * f64::from(k % 10), 0.01 * f64::from(k / 10), 0.3)).collect();
         roots.push(roots[44]);
@@ -199,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_cover_what_is_among_them_and_a_hem() {
+    fn roots_cover_places_among_them_and_a_hem() {
         // A lattice of 1 cm with a hole of 4 cm.
         let roots: Vec<_> = (0..400)
             .map(|k| Vector3::new(0.01 * f64::from(k % 20), 0.01 * f64::from(k / 20), 0.3))
@@ -208,12 +215,12 @@ mod tests {
         let roots = GuideRoots::new(roots).expect("finite roots");
         let spacing = roots.spacing().expect("a spacing");
         let cover = |x: f64, y: f64| roots.cover(Vector3::new(x, y, 0.3), spacing).expect("a spacing");
-        // Everywhere among them it is whole.
+        // Full cover everywhere among them.
         for k in 0..400 {
             let (x, y) = (0.03 + 0.04 * f64::from(k % 20) / 20.0, 0.03 + 0.04 * f64::from(k / 20) / 20.0);
             assert_eq!(cover(x, y), 1.0, "{x} {y}");
         }
-        // The hole's middle is bare, and what is more than six tenths of a spacing beside the border.
+        // Bare in the middle of the hole, and more than six tenths of a spacing outside the border.
         assert_eq!(cover(0.1, 0.1), 0.0);
         for away in [0.0065, 0.01, 0.05] {
             assert_eq!(cover(-away, 0.1), 0.0, "{away}");
@@ -226,8 +233,8 @@ mod tests {
         let roots = lattice();
         let places = roots.among(20_000, 1);
         assert!(places.iter().all(|p| (p.z - 0.3).abs() < 1e-12));
-        // Within the lattice, every quarter of it with its share. The lattice's middle is 0.045; a place's share of a quarter varies by
-        // 1/(2 sqrt(20000)) = 0.0035, and border roots reach inward only, alike on all sides.
+        // Inside the lattice, each quarter with its fraction. The lattice's middle is 0.045; the fraction of a quarter varies by
+        // 1/(2 sqrt(20000)) = 0.0035, and border roots reach inward only, the same on all sides.
         let mut quarters = [0_usize; 4];
         for p in &places {
             assert!((-1e-12..=0.09 + 1e-12).contains(&p.x) && (-1e-12..=0.09 + 1e-12).contains(&p.y), "{p}");

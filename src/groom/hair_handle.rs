@@ -1,5 +1,7 @@
-//! Hair handle: what a hand feels of hair, as one structure of the three groups of properties that Bonanni and Kmoch 2008, section 2, name:
-//! geometry, bending, friction. Table 1's four hairs are there by name, as are all of [`HairType`].
+//! Hair handle: what a hand feels of hair, in the three groups of properties of Bonanni and Kmoch 2008, section 2: geometry,
+//! bending, friction.
+//!
+//! Table 1's four hairs are available by name, as are all of [`HairType`].
 
 use std::f64::consts::PI;
 
@@ -23,14 +25,14 @@ pub struct HairHandle {
     pub major_diameter: f64,
     /// Geometry: the longer over the shorter diameter; 1 or above.
     pub ellipticity: f64,
-    /// Geometry: natural twist, rad/m; zero or above, zero where the curvature is.
+    /// Geometry: natural twist, rad/m; zero or above, and zero if the curvature is.
     pub natural_twist: f64,
-    /// Geometry: natural curvature, rad/m; zero, straight, or above.
+    /// Geometry: natural curvature, rad/m; zero for straight hair, or above.
     pub natural_curvature: f64,
-    /// Bending: stiffness about the longer axis, the way in which hair bends, N·m²; above zero.
+    /// Bending: stiffness about the longer axis, about which hair bends, N·m²; above zero.
     pub bending_stiffness: f64,
-    /// Friction between hairs, as the frictional force of table 1, N; zero or above. 0.693 cN, the mean of those that were measured, is the engine's
-    /// own coefficients.
+    /// Friction between hairs, as the frictional force of table 1, N; zero or above. 0.693 cN, the mean of the measured ones,
+    /// gives the engine's own coefficients.
     pub frictional_force: f64,
     /// Friction within a hair and a lock, γ, kg·m³/s; zero or above.
     pub internal_friction: f64,
@@ -54,10 +56,10 @@ impl From<HairType> for HairHandle {
 }
 
 impl HairHandle {
-    /// Checks every number; `argument` is the name put before the field in the message.
+    /// Checks every number; messages put `argument` before the field's name.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming the first that is out of range.
+    /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
         check_positive(|| format!("{argument}.major_diameter"), self.major_diameter)?;
         check_finite(|| format!("{argument}.ellipticity"), self.ellipticity)?;
@@ -75,10 +77,11 @@ impl HairHandle {
         check_not_negative(|| format!("{argument}.internal_friction"), self.internal_friction)
     }
 
-    /// The measured quantities of such hair; those that a hand does not feel (density, Poisson's ratio, air drag) are as of all types.
+    /// The measured quantities of such hair; those that a hand does not feel (density, Poisson's ratio, air drag) are the same
+    /// for all types.
     pub fn measured(&self) -> MeasuredHair {
         let longer = 0.5 * self.major_diameter;
-        // The helix of that twist and curvature.
+        // The helix with this twist and curvature.
         let square = self.natural_curvature * self.natural_curvature + self.natural_twist * self.natural_twist;
         let over = |value: f64| if self.natural_curvature == 0.0 { 0.0 } else { value / square };
         let mut hair = MeasuredHair {
@@ -94,7 +97,7 @@ impl HairHandle {
         hair
     }
 
-    /// What strands of such hair are made of, without variation.
+    /// The parameters of strands of such hair, without variation.
     ///
     /// # Errors
     /// As [`HairHandle::check`], of `handle`.
@@ -103,9 +106,9 @@ impl HairHandle {
         self.measured().parameters(CurlFormula::Exact)
     }
 
-    /// The handle with the two sliders of the paper's future work moved, each from −1 to 1, which act on look and feel: `curliness` on natural twist
-    /// and curvature, `combing_ease` on the friction between hairs and within a lock, both as [`Sliders`] of those names do.
-    ///
+    /// The handle with two sliders moved, each from −1 to 1 (the future work of Bonanni and Kmoch 2008). `curliness` acts on
+    /// natural twist and curvature, `combing_ease` on the friction between hairs and within a lock, like the [`Sliders`] of those
+    /// names.
     /// # Errors
     /// As [`HairHandle::check`]; [`Error::InvalidArgument`] for a slider out of range.
     pub fn with_sliders(&self, curliness: f64, combing_ease: f64) -> Result<Self> {

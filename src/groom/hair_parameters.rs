@@ -1,7 +1,7 @@
-//! What the strands of a head share, and the five sliders by which people change it.
+//! Parameters that the strands of a head share, and five high-level sliders that change them.
 //!
-//! A slider goes from −1 to 1; 0 leaves everything as it is. What each does is said at its field; a factor is that of `factor`:
-//! 1 + (F − 1) x above zero, its reciprocal below, so that x and −x undo each other and no number comes from a platform's own functions.
+//! A slider goes from −1 to 1; 0 changes nothing. Each field says what it does. A factor is 1 + (F − 1) x above zero and its
+//! reciprocal below (`factor`), so that x and −x cancel and no platform function affects the numbers.
 
 use crate::contact::options::{Friction, StrandContact};
 use crate::error::{Error, Result, check_not_negative};
@@ -16,11 +16,11 @@ pub enum CurlFormula {
     /// κ1 = r/(r² + p²), κ0 = p/(r² + p²): the helix itself.
     #[default]
     Exact,
-    /// κ1 = 1/r, κ0 = Δ/(2π r²): Bertails et al. 2006, section 4.2. The same for steps much shorter than the radius.
+    /// κ1 = 1/r, κ0 = Δ/(2π r²): Bertails et al. 2006, section 4.2. Equal in the limit of steps much shorter than the radius.
     Paper,
 }
 
-/// What the strands of a head share.
+/// Parameters that the strands of a head share.
 ///
 /// ```
 /// use superhelix::hair::{CurlFormula, HairType, Variation};
@@ -37,9 +37,9 @@ pub struct HairParameters {
     pub material: Material,
     /// Natural twist and curvatures (κ0, κ1, κ2), rad/m.
     pub natural: [f64; 3],
-    /// Friction against hair and bodies, in units of the engine's own coefficients; zero or above.
+    /// Friction against hair and bodies, relative to the engine's own coefficients; zero or above.
     pub friction: f64,
-    /// How strands differ from that.
+    /// How strands deviate from that.
     pub variation: Variation,
 }
 
@@ -55,37 +55,39 @@ pub struct HairParameters {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sliders {
-    /// How curly: −1 is straight; up to 0 the natural curvature goes in proportion; above it goes on to 1.5 times its own or 400 rad/m (curls
-    /// of 2.5 mm), whichever is more. Twist goes along (where there was no curvature: 0.13 of it, as of Caucasian 2 hair).
+    /// Curliness: −1 is straight, and the natural curvature grows linearly to its own value at 0; above 0 it grows to 1.5 times
+    /// that or to 400 rad/m (curls of 2.5 mm), whichever is more. Twist follows in proportion (without curvature: 0.13 of it, as
+    /// in Caucasian 2 hair).
     pub curliness: f64,
-    /// How stiff: Young's modulus, by a factor of up to 8.
+    /// Stiffness: Young's modulus, by a factor of up to 8.
     pub stiffness: f64,
-    /// How disciplined, the opposite of frizz: above 0 variation along and between strands, and frizz, shrink to nothing at 1 and air drag
-    /// goes to 5e-6 kg/(m·s); below 0 frizz grows by up to 60 rad/m, variation by up to 0.2, and air drag goes to 5e-5 kg/(m·s).
+    /// Discipline, the opposite of frizz. Above 0, variation along and between strands, and frizz, shrink to nothing at 1, and
+    /// air drag goes to 5e-6 kg/(m·s). Below 0, frizz grows by up to 60 rad/m, variation by up to 0.2, and air drag goes to 5e-5
+    /// kg/(m·s).
     pub discipline: f64,
-    /// How heavy (wet, dyed): density, by a factor of up to 2.
+    /// Weight (wet, dyed): density, by a factor of up to 2.
     pub weight: f64,
-    /// How easy to comb: friction against hair and bodies, and the internal friction that stands for friction inside a lock, by a factor of
-    /// up to 1/3.
+    /// Ease of combing: friction against hair and bodies, and the internal friction that represents friction inside a lock, by a
+    /// factor of up to 1/3.
     pub combing_ease: f64,
 }
 
-/// The curvature that curliness 1 gives at least, rad/m.
+/// The least curvature at curliness 1, rad/m.
 const CURLY: f64 = 400.0;
-/// Twist over curvature of what was straight: that of Caucasian 2 hair, p/r = 0.5 cm/(2π 0.6 cm).
-const TWIST_SHARE: f64 = 0.132_629;
+/// Twist over curvature of straight hair when it curls: that of Caucasian 2 hair, p/r = 0.5 cm/(2π 0.6 cm).
+const TWIST_FRACTION: f64 = 0.132_629;
 /// Frizz at discipline −1, rad/m.
 const FRIZZ: f64 = 60.0;
 /// Variation along and between strands at discipline −1.
 const LOOSE: f64 = 0.2;
 
-/// See the head of this file.
+/// See the comment of this module.
 fn factor(x: f64, most: f64) -> f64 {
     if x >= 0.0 { 1.0 + (most - 1.0) * x } else { 1.0 / (1.0 - (most - 1.0) * x) }
 }
 
 impl Sliders {
-    /// Checks that all are from −1 to 1; `argument` is the name put before the field in the message.
+    /// Checks that all are from −1 to 1; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first that is not.
@@ -106,7 +108,7 @@ impl Sliders {
 }
 
 impl HairParameters {
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -122,7 +124,7 @@ impl HairParameters {
     /// The parameters with the sliders moved.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for what is out of range, before or after.
+    /// [`Error::InvalidArgument`] for a value out of range, before or after.
     pub fn with_sliders(&self, sliders: &Sliders) -> Result<Self> {
         sliders.check("sliders")?;
         self.check("hair")?;
@@ -143,8 +145,8 @@ impl HairParameters {
             hair.material.air_drag = drag + x * (drag.min(DISCIPLINED_DRAG) - drag);
         } else {
             let variation = &mut hair.variation;
-            variation.along = (own.along - LOOSE * x).min(Variation::MOST.max(own.along));
-            variation.between = (own.between - LOOSE * x).min(Variation::MOST.max(own.between));
+            variation.along = (own.along - LOOSE * x).min(Variation::MAX_DEVIATION.max(own.along));
+            variation.between = (own.between - LOOSE * x).min(Variation::MAX_DEVIATION.max(own.between));
             variation.frizz = own.frizz - FRIZZ * x;
             hair.material.air_drag = drag - x * (drag.max(FUZZY_DRAG) - drag);
         }
@@ -152,7 +154,7 @@ impl HairParameters {
         Ok(hair)
     }
 
-    /// What such a strand is to contact: the engine's own values with this hair's radius and friction.
+    /// The contact parameters of such a strand: the engine's own values with this hair's radius and friction.
     pub fn contact(&self) -> StrandContact {
         let own = StrandContact::default();
         let scaled =
@@ -171,14 +173,14 @@ impl HairParameters {
 /// Curvature below which a strand counts as straight, rad/m: a circle of a million kilometres.
 const STRAIGHT: f64 = 1e-9;
 
-/// The natural twist and curvatures of a strand that has a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these lengths, m) with
-/// the slider [`Sliders::curliness`] moved. All rows are scaled by one factor, the one that the slider means for hair of this strand's
-/// curvature, the root of its mean square along the strand: −1 is straight, 1 is 1.5 times its own or 400 rad/m in the mean. What is straight
-/// curls as straight types do.
+/// The natural twist and curvatures of a strand with a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these
+/// lengths, m) after moving the slider [`Sliders::curliness`]. One factor scales all rows: the slider's factor for hair of this
+/// strand's root mean square curvature. −1 is straight; 1 is 1.5 times its own curvature or 400 rad/m in the mean. Straight
+/// strands curl like straight types.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for a slider out of range (`curliness`), lengths that are not above zero, rows that are not finite or not as many
-/// as elements.
+/// [`Error::InvalidArgument`] for a slider out of range (`curliness`), lengths that are not above zero, rows that are not finite
+/// or not one per element.
 pub fn curled_shape(element_lengths: &[f64], natural: &[[f64; 3]], curliness: f64) -> Result<Vec<[f64; 3]>> {
     Sliders { curliness, ..Sliders::default() }.check("").map_err(|error| error.renamed(".", ""))?;
     check_rows("natural", natural, element_lengths.len())?;
@@ -204,7 +206,7 @@ fn curled([twist, first, second]: [f64; 3], x: f64) -> [f64; 3] {
     }
     let wanted = curvature + x * ((1.5 * curvature).max(CURLY) - curvature);
     if curvature == 0.0 {
-        return [twist + TWIST_SHARE * wanted, wanted, 0.0];
+        return [twist + TWIST_FRACTION * wanted, wanted, 0.0];
     }
     [twist, first, second].map(|value| value * (wanted / curvature))
 }

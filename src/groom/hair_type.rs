@@ -1,7 +1,7 @@
-//! Kinds of hair as they were measured: four of Bertails et al. 2006, appendix B, and the four of table 1 of the paper on virtual hair handle
-//! (Bonanni and Kmoch 2008), whose source is Wortmann et al. 2006.
+//! Measured types of hair: four of Bertails et al. 2006, appendix B, and four of Bonanni and Kmoch 2008, table 1, whose source is
+//! Wortmann et al. 2006.
 //!
-//! Only what the tables have is theirs. What they leave open is filled in the same way for all and said at each field.
+//! Values that the tables lack are the same for all types, and documented at each field.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::groom::hair_parameters::{CurlFormula, HairParameters};
 use crate::groom::variation::Variation;
 use crate::rod::material::Material;
 
-/// A measured kind of hair.
+/// A measured type of hair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HairType {
     /// Asian, smooth (Bertails et al. 2006, appendix B): straight, 50 µm, round, 1 GPa.
@@ -49,9 +49,9 @@ pub struct MeasuredHair {
     pub mean_radius: f64,
     /// Longer semi-axis over the shorter one; 1 or above.
     pub ellipticity: f64,
-    /// Radius of the helix that a lock's tip makes, m; 0: straight (then the step is 0 too).
+    /// Radius of the helix at a lock's tip, m; 0 for straight hair (the step is then 0 too).
     pub helix_radius: f64,
-    /// How far that helix goes on in a turn, m; zero or above.
+    /// Advance of that helix per turn, m; zero or above.
     pub helix_step: f64,
     /// Young's modulus, Pa; above zero.
     pub youngs_modulus: f64,
@@ -63,8 +63,8 @@ pub struct MeasuredHair {
     pub internal_friction: f64,
     /// Air drag ν, kg/(m·s); zero or above.
     pub air_drag: f64,
-    /// Friction against other hair, in units of the engine's own coefficients ([`StrandContact`](crate::contact::options::StrandContact));
-    /// zero or above.
+    /// Friction against other hair, relative to the engine's own coefficients
+    /// ([`StrandContact`](crate::contact::options::StrandContact)); zero or above.
     pub friction: f64,
 }
 
@@ -79,13 +79,13 @@ impl Default for MeasuredHair {
 const DENSITY: f64 = 1300.0;
 /// Poisson's ratio of all types of appendix B.
 const POISSON_RATIO: f64 = 0.48;
-/// The internal friction that figure 6 of Bertails et al. 2006 was fitted with, kg·m³/s; they found 5e-11 to 5e-10.
+/// The internal friction fitted in figure 6 of Bertails et al. 2006, kg·m³/s; they found 5e-11 to 5e-10.
 const INTERNAL_FRICTION: f64 = 1e-10;
 /// Air drag of disciplined hair (the same, section 4.2), kg/(m·s).
 pub const DISCIPLINED_DRAG: f64 = 5e-6;
 /// Air drag of fuzzy hair (the same), kg/(m·s).
 pub const FUZZY_DRAG: f64 = 5e-5;
-/// The frictional force that stands for the engine's own coefficients, N: the mean of those that table 1 has.
+/// The frictional force that corresponds to the engine's own coefficients, N: the mean of table 1.
 pub(crate) const MEAN_FRICTIONAL_FORCE: f64 = 0.693e-2;
 
 impl HairType {
@@ -115,7 +115,7 @@ impl HairType {
         }
     }
 
-    /// The type of that name.
+    /// The type with this name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`name`) for any other.
@@ -126,10 +126,11 @@ impl HairType {
         })
     }
 
-    /// What was measured of it. Of appendix B: radius, ellipticity, helix radius and step, Young's modulus, Poisson's ratio. Of table 1:
-    /// radius and ellipticity, and Young's modulus as [`youngs_modulus_from_bending`] has it from the bending stiffness (5.1 to 5.2 GPa);
-    /// friction in proportion to its frictional force (H2's was not measured: 1); it says nothing of curl, so these are straight.
-    /// Throughout: density 1300 kg/m³, internal friction 1e-10 kg·m³/s, air drag 5e-6 kg/(m·s), of African hair 5e-5, Poisson's ratio 0.48.
+    /// The measurements. From appendix B: radius, ellipticity, helix radius and step, Young's modulus, Poisson's ratio. From
+    /// table 1: radius and ellipticity; Young's modulus from the bending stiffness by [`youngs_modulus_from_bending`] (5.1 to 5.2
+    /// GPa); friction in proportion to the frictional force (H2's was not measured: 1). Table 1 has no curl, so its hairs are
+    /// straight. For all: density 1300 kg/m³, internal friction 1e-10 kg·m³/s, air drag 5e-6 kg/(m·s) (African hair 5e-5),
+    /// Poisson's ratio 0.48.
     pub fn measured(self) -> MeasuredHair {
         let appendix = |radius: f64, ellipticity: f64, helix: [f64; 2], youngs_modulus: f64| MeasuredHair {
             mean_radius: radius * 1e-6,
@@ -164,8 +165,8 @@ impl HairType {
     }
 }
 
-/// Young's modulus of an elliptic hair that bends about its longer axis with this stiffness EI1 (N·m²): E = 4 EI1 / (π a1 a2³). Semi-axes in
-/// m, the longer first.
+/// Young's modulus of an elliptic hair whose bending stiffness about its longer axis is EI1 (N·m²): E = 4 EI1 / (π a1 a2³).
+/// Semi-axes in m, the longer first.
 pub fn youngs_modulus_from_bending(stiffness: f64, [a1, a2]: [f64; 2]) -> f64 {
     4.0 * stiffness / (PI * a1 * a2 * a2 * a2)
 }
@@ -177,7 +178,7 @@ impl MeasuredHair {
         [self.mean_radius * root, self.mean_radius / root]
     }
 
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -218,8 +219,8 @@ impl MeasuredHair {
         }
     }
 
-    /// Natural twist and curvatures (κ0, κ1, κ2), rad/m, that make the measured helix; zeros where its radius is 0. The hair bends about n1,
-    /// the way in which an elliptic section is limp.
+    /// Natural twist and curvatures (κ0, κ1, κ2), rad/m, of the measured helix; zeros if its radius is 0. The hair bends about
+    /// n1, the soft axis of an elliptic section.
     pub fn natural(&self, formula: CurlFormula) -> [f64; 3] {
         let (radius, pitch) = (self.helix_radius, self.helix_step / (2.0 * PI));
         if radius == 0.0 {

@@ -3,20 +3,20 @@
 //! Files:
 //!
 //! - `drawn.rs`: A groom as it was drawn: curves in metres, and the strands that rest as these curves are.
-//! - `fit.rs`: A strand from a curve: the Super-Helix whose centreline comes closest at equal arclength.
-//! - `guide_roots.rs`: The region that guides' roots stand in: how far they are apart, how near other places are to them, and places among them where no scalp is known.
-//! - `hair_handle.rs`: Hair handle: what a hand feels of hair, as one structure of the three groups of properties that Bonanni and Kmoch 2008, section 2, name.
-//! - `hair_parameters.rs`: What the strands of a head share, and the five sliders by which people change it.
-//! - `hair_type.rs`: Kinds of hair as they were measured.
-//! - `outside.rs`: Curves drawn inside a body, brought out of it: by the least that does, edge by edge from the root, every edge as long as it was.
-//! - `polyline.rs`: A polyline by arclength: what a strand is fitted to.
-//! - `pose.rs`: Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored.
+//! - `fit.rs`: Fits a strand to a curve: finds the Super-Helix whose centreline comes closest at equal arclength.
+//! - `guide_roots.rs`: The region of the guides' roots: their spacing, the distance of other places from them, and random places among them where no scalp is known.
+//! - `hair_handle.rs`: Hair handle: what a hand feels of hair, in the three groups of properties of Bonanni and Kmoch 2008, section 2: geometry, bending, friction.
+//! - `hair_parameters.rs`: Parameters that the strands of a head share, and five high-level sliders that change them.
+//! - `hair_type.rs`: Measured types of hair: four of Bertails et al. 2006, appendix B, and four of Bonanni and Kmoch 2008, table 1, whose source is Wortmann et al. 2006.
+//! - `outside.rs`: Brings curves out of a body: a curve drawn inside it moves out by as little as possible, edge by edge from the root, and keeps every edge's length.
+//! - `polyline.rs`: A polyline by arclength, the input of a fit.
+//! - `pose.rs`: Posing strands by hand: drag a point, brush, bend and turn elements, cut, grow, mirror.
 //! - `render_hair.rs`: Render hair: a hundred thousand strands from a thousand guides, by the semi-interpolating scheme of Bertails et al. 2006, section 4.1.
-//! - `rest_shape.rs`: Natural shapes that hold a strand where it is drawn: equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
-//! - `scalp.rs`: A scalp: a triangle mesh on which follicles stand, and which may deform.
-//! - `stability.rs`: Whether a strand that is held up in a shape stays in it when touched, and how much stiffer it must be to do so.
-//! - `variation.rs`: How strands differ from each other and along themselves: seeded, the same whoever asks, in whatever order.
-//! - `wisp.rs`: Wisps: a guide of a groom stands for the hairs around it, which lie and move together.
+//! - `rest_shape.rs`: Natural shapes that hold a strand in its drawn shape: equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
+//! - `scalp.rs`: A scalp: a triangle mesh with follicles, which may deform.
+//! - `stability.rs`: Whether a strand that is held up in a shape stays there when disturbed, and how much stiffer it must be to do so.
+//! - `variation.rs`: Random variation between strands and along them: seeded, and independent of the order of queries.
+//! - `wisp.rs`: Wisps: a guide of a groom represents the hairs around it, which lie and move together.
 
 pub mod drawn;
 pub mod fit;

@@ -1,38 +1,39 @@
-//! Curves drawn inside a body, brought out of it: by the least that does, edge by edge from the root, every edge as long as it was.
+//! Brings curves out of a body: a curve drawn inside it moves out by as little as possible, edge by edge from the root, and keeps
+//! every edge's length.
 
 use nalgebra::Vector3;
 
 use crate::contact::shape::Shape;
 use crate::error::{Error, Result, check_not_negative};
 
-/// How steeply a curve that begins inside comes out: depth lost over arclength.
+/// How steeply a curve that starts inside comes out: depth lost per arclength.
 const SLOPE: f64 = 0.5;
-/// Points this much too near are near enough, m.
+/// Points this much too close are close enough, m.
 const CLOSE: f64 = 1e-5;
-/// Rounds of pushing points out and giving edges their lengths again, and steps of a point on its way.
-const MOST_ROUNDS: u32 = 60;
+/// Largest number of rounds of pushing points out and restoring edge lengths, and of steps of a point.
+const MAX_ROUNDS: u32 = 60;
 
-/// A way out may lead no further than so many times the depth, and this, m: one that goes further is none.
+/// A path out may lead no farther than this many times the depth, plus this, m.
 const FAR_OF_DEPTH: f64 = 2.0;
 const FAR: f64 = 5e-3;
 
 /// What was done to a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BroughtOut {
-    /// Points that were deeper than allowed.
+    /// Points that were deeper than permitted.
     pub inside: usize,
-    /// How deep the deepest of them was, m.
+    /// Depth of the deepest one, m.
     pub deepest: f64,
-    /// How far a point was moved at most, m.
+    /// The largest displacement of a point, m.
     pub moved: f64,
-    /// Whether no way out was found: then the curve is as it was drawn.
+    /// Whether no path out was found: the curve is then unchanged.
     pub stuck: bool,
 }
 
-/// Brings a curve (m, root first, in the shape's axes) out of a shape: every point to at least `clearance` metres (0 or above) from its surface. The
-/// root stays. A root that is nearer, or inside, stays so, and the points after it may be as deep as a way out at one in two needs. Edges keep their
-/// lengths. A curve that is clear of the shape is not touched, nor is one that would have to be moved by more than twice its depth and 5 mm. Bounded:
-/// 120 rounds over the points.
+/// Brings a curve (m, root first, in the shape's axes) out of a shape: every point to at least `clearance` metres (0 or above)
+/// from its surface. The root stays. If the root is closer or inside, the points after it may be as deep as a path out at a slope
+/// of one half requires. Edges keep their lengths. A curve clear of the shape stays unchanged, and so does one that would have to
+/// move by more than twice its depth plus 5 mm. Bounded: 120 rounds over the points.
 ///
 /// # Errors
 /// [`Error::InvalidArgument`] for a number that is not finite or a clearance below zero.
@@ -53,7 +54,8 @@ pub fn bring_out(points: &mut [Vector3<f64>], shape: &Shape, clearance: f64) -> 
         return Ok(brought);
     }
     let far = FAR_OF_DEPTH * (brought.deepest + clearance) + FAR;
-    // Each point the shortest way; where points next to each other would part, through an ear to its two sides, all of them the same way.
+    // First each point along its shortest path out. Where neighbouring points would separate (an ear with two sides), whole runs
+    // in the same direction.
     for way in [Drawn::push_each, Drawn::push_runs] {
         if let Some(moved) = drawn.out(points, way).filter(|moved| *moved <= far) {
             brought.moved = moved;
@@ -65,22 +67,22 @@ pub fn bring_out(points: &mut [Vector3<f64>], shape: &Shape, clearance: f64) -> 
     Ok(brought)
 }
 
-/// How a point is too deep.
+/// A point that is too deep.
 struct Depth {
-    /// By so much, m.
+    /// The depth beyond the permitted one, m.
     by: f64,
-    /// The way out.
+    /// The direction out.
     normal: Vector3<f64>,
-    /// How deep it is in the shape, m.
+    /// Its depth in the shape, m.
     signed: f64,
 }
 
-/// A curve as it was drawn.
+/// A curve as drawn.
 struct Drawn<'a> {
     shape: &'a Shape,
     points: Vec<Vector3<f64>>,
     edges: Vec<f64>,
-    /// How far out each point is to be, m.
+    /// The target distance of each point, m.
     wanted: Vec<f64>,
 }
 
@@ -104,9 +106,9 @@ impl<'a> Drawn<'a> {
         Some(Depth { by: wanted - surface.distance, normal: surface.normal, signed: -surface.distance })
     }
 
-    /// Pushes what is too deep, and gives edges their lengths again, until nothing is: how far a point was moved at most.
+    /// Pushes points out and restores edge lengths until none is too deep; returns the largest displacement of a point.
     fn out(&self, points: &mut [Vector3<f64>], push: fn(&Self, &mut [Vector3<f64>]) -> bool) -> Option<f64> {
-        let is_out = (0..MOST_ROUNDS).any(|_| {
+        let is_out = (0..MAX_ROUNDS).any(|_| {
             let pushed = push(self, points);
             if pushed {
                 self.follow(points);
@@ -117,17 +119,17 @@ impl<'a> Drawn<'a> {
         is_out.then_some(moved)
     }
 
-    /// Gives edges their lengths, from the root on.
+    /// Restores the edges' lengths, from the root on.
     fn follow(&self, points: &mut [Vector3<f64>]) {
         for k in 1..points.len() {
             let way = points[k] - points[k - 1];
-            // (A point that was pushed onto the one before goes on as it was drawn.)
+            // (A point that was pushed onto the one before continues in the drawn direction.)
             let along = way.try_normalize(0.0).or_else(|| (self.points[k] - self.points[k - 1]).try_normalize(0.0));
             points[k] = points[k - 1] + along.unwrap_or_else(Vector3::zeros) * self.edges[k - 1];
         }
     }
 
-    /// Pushes each point that is too deep the shortest way. False if there is none.
+    /// Pushes each point that is too deep along its shortest path out. False if there is none.
     fn push_each(&self, points: &mut [Vector3<f64>]) -> bool {
         let mut pushed = false;
         for (point, wanted) in points.iter_mut().zip(&self.wanted).skip(1) {
@@ -139,7 +141,8 @@ impl<'a> Drawn<'a> {
         pushed
     }
 
-    /// Pushes points that follow each other and are too deep the same way, each as far as it takes. False if there are none.
+    /// Pushes runs of successive points that are too deep in the same direction, each as far as it takes. False if there are
+    /// none.
     fn push_runs(&self, points: &mut [Vector3<f64>]) -> bool {
         let depths: Vec<Option<Depth>> =
             points.iter().zip(&self.wanted).map(|(point, wanted)| self.depth(point, *wanted)).collect();
@@ -150,8 +153,8 @@ impl<'a> Drawn<'a> {
             let sum: Vector3<f64> = depths[k..end].iter().flatten().map(|depth| depth.normal * depth.by).sum();
             if let Some(direction) = sum.try_normalize(0.0) {
                 for (point, wanted) in points[k..end].iter_mut().zip(&self.wanted[k..end]) {
-                    // Nowhere along the way is the surface nearer than so.
-                    for _ in 0..MOST_ROUNDS {
+                    // Nowhere along the path is the surface closer than this.
+                    for _ in 0..MAX_ROUNDS {
                         let Some(depth) = self.depth(point, *wanted) else { break };
                         *point += direction * depth.by;
                     }
@@ -177,7 +180,7 @@ mod tests {
     #[test]
     fn a_chord_through_a_ball_goes_round_it() {
         let ball = Shape::new_sphere(RADIUS).unwrap();
-        // From a root on the surface, a centimetre deep at most, and out again.
+        // From a root on the surface to at most a centimetre deep, and out again.
         let mut points: Vec<_> =
             (0..41).map(|k| Vector3::new(-0.0436 + 0.004 * f64::from(k), 0.09, 0.002 * f64::from(k % 2))).collect();
         let drawn = points.clone();
@@ -190,7 +193,8 @@ mod tests {
         for (k, point) in points.iter().enumerate().skip(1) {
             assert!(point.norm() > RADIUS + 5e-4 - 2.0 * CLOSE, "point {k}: {}", point.norm() - RADIUS);
         }
-        // What was 1 cm deep moves by about that, and no point by much more than the deepest and what bending round the ball shortens.
+        // A depth of 1 cm moves by about that, and no point by much more than the deepest plus the shortening by bending round
+        // the ball.
         assert!(brought.moved < 0.025, "{brought:?}");
     }
 
@@ -208,7 +212,7 @@ mod tests {
         for (k, point) in points.iter().enumerate() {
             assert!(point.y > (-0.02 + 0.005 * k as f64).min(1e-3) - 2.0 * CLOSE, "{k}: {}", point.y);
         }
-        // Through a thin plate, half of it nearer to the one side and half to the other: all goes to one.
+        // Through a thin plate, half of it closer to one side and half to the other: all of it goes to one.
         let plate = Shape::new_box(Vector3::new(0.1, 0.002, 0.1)).unwrap();
         let mut points: Vec<_> =
             (0..41).map(|k| Vector3::new(-0.15 + 0.005 * f64::from(k), 0.004 - 0.00025 * f64::from(k), 0.0)).collect();

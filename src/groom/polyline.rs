@@ -1,26 +1,26 @@
-//! A polyline by arclength: what a strand is fitted to.
+//! A polyline by arclength, the input of a fit.
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result, check_finite};
 
-/// Distinct points and the arclength at each.
+/// Distinct points, and the arclength at each.
 #[derive(Debug, Clone)]
 pub(super) struct Polyline {
     pub points: Vec<Vector3<f64>>,
     pub arclengths: Vec<f64>,
-    /// Which of the given points they are.
+    /// Their indices among the given points.
     pub kept: Vec<usize>,
 }
 
-/// A polyline whose edges sum to less than this cannot be told from a point in f64 arithmetic on metres.
+/// A polyline with a shorter total length cannot be told from a point in f64 arithmetic on metres.
 const SHORTEST: f64 = 1e-12;
 
-/// Points closer together than this share of the length tell no direction.
+/// Points closer together than this fraction of the length define no direction.
 const NEARLY_DOUBLED: f64 = 1e-6;
 
 impl Polyline {
-    /// Checks the points and drops the doubled ones.
+    /// Checks the points and removes repeated ones.
     pub fn new(points: &[Vector3<f64>]) -> Result<Self> {
         let mut kept = Vec::with_capacity(points.len());
         let mut distinct: Vec<Vector3<f64>> = Vec::with_capacity(points.len());
@@ -51,7 +51,7 @@ impl Polyline {
         Ok(Self { points: distinct, arclengths, kept })
     }
 
-    /// Takes arclengths that are known better, one for each of the given points.
+    /// Sets arclengths that are known better, one per given point.
     pub fn set_arclengths(&mut self, arclengths: &[f64]) -> Result<()> {
         for (index, arclength) in arclengths.iter().enumerate() {
             check_finite(|| format!("arclengths[{index}]"), *arclength)?;
@@ -77,15 +77,15 @@ impl Polyline {
         Ok(())
     }
 
-    /// Measures arclength along the means of runs of points, each run at least `run` long from end to end: what zigzags within a run adds
-    /// nothing. Between the runs' middles arclength grows with the points' number.
+    /// Measures arclength along the means of runs of points, each run at least `run` long from end to end: noise within a run
+    /// adds nothing. Between the runs' middles arclength grows linearly with the point's index.
     pub fn measure_along_runs(&mut self, run: f64) {
         let last = self.points.len() - 1;
-        // Knots: place among the points, position.
+        // Knots: index among the points, position.
         let mut knots: Vec<(f64, Vector3<f64>)> = vec![(0.0, self.points[0])];
         let mut begin = 1;
         for index in 1..last {
-            // Along the middle of a run noise is averaged; its two ends tell how long it is.
+            // The middle of a run averages the noise; its two ends measure its length.
             if (self.points[index] - self.points[begin]).norm() >= run || index + 1 == last {
                 let count = index + 1 - begin;
                 let mean = self.points[begin..=index].iter().sum::<Vector3<f64>>() / count as f64;
@@ -108,8 +108,8 @@ impl Polyline {
             while knot + 2 < knots.len() && index as f64 > knots[knot + 1].0 {
                 knot += 1;
             }
-            let share = (index as f64 - knots[knot].0) / (knots[knot + 1].0 - knots[knot].0);
-            *arclength = ends[knot] + (ends[knot + 1] - ends[knot]) * share;
+            let fraction = (index as f64 - knots[knot].0) / (knots[knot + 1].0 - knots[knot].0);
+            *arclength = ends[knot] + (ends[knot + 1] - ends[knot]) * fraction;
         }
     }
 
@@ -118,15 +118,15 @@ impl Polyline {
         self.arclengths[self.arclengths.len() - 1]
     }
 
-    /// The direction in which the polyline leaves: towards the first point that is not as good as doubled.
+    /// The initial direction of the polyline: towards the first point that is clearly distinct.
     pub fn direction(&self) -> Vector3<f64> {
         let least = NEARLY_DOUBLED * self.length();
         let away = self.points[1..].iter().map(|point| point - self.points[0]).find(|away| away.norm() > least);
         away.unwrap_or(self.points[1] - self.points[0]).normalize()
     }
 
-    /// A frame with n0 in a direction of length one, and n1 as near as can be to `normal`, or without one (or along it) to a world axis
-    /// that the direction is far from.
+    /// A frame with n0 in a unit direction, and n1 as close as possible to `normal`; without one (or along it), to a world axis
+    /// far from the direction.
     pub fn frame_along(n0: Vector3<f64>, normal: Option<Vector3<f64>>) -> UnitQuaternion<f64> {
         let across = |axis: Vector3<f64>| axis - n0 * n0.dot(&axis);
         let wanted = normal.map(across).filter(|across| across.norm() > 1e-6).unwrap_or_else(|| {

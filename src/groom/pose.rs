@@ -1,18 +1,18 @@
-//! Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored (`docs/theory/posing.md`).
+//! Posing strands by hand: drag a point, brush, bend and turn elements, cut, grow, mirror (`docs/theory/posing.md`).
 //!
-//! A pose is a strand's root, element lengths and curvatures. Whatever is done to it, it stays a Super-Helix: elements do not stretch
-//! unless told to, and frames stay proper.
+//! A pose is a strand's root, element lengths and curvatures. Every operation keeps it a Super-Helix: elements stretch only on
+//! request, and frames stay proper.
 //!
 //! Files:
 //!
-//! - `brush.rs`: A brush that takes along what lies in it.
-//! - `drag.rs`: One strand dragged by a point: document 004, section 4.3, with the linear-time Jacobian.
-//! - `element.rs`: One element bent, twisted, lengthened.
-//! - `elimination.rs`: A step of Levenberg and Marquardt's method on one strand's curvatures, in linear time.
-//! - `mirror.rs`: Strands mirrored across a plane.
-//! - `search.rs`: Levenberg and Marquardt's method on a strand's curvatures.
-//! - `springs.rs`: What pulls at places of a strand while it is posed.
-//! - `trim.rs`: Strands cut and grown.
+//! - `brush.rs`: A brush that carries the strands inside it along.
+//! - `drag.rs`: Drags one strand by a point: Bergbom 2007, section 4.3, with a linear-time Jacobian.
+//! - `element.rs`: Bends, twists and lengthens one element.
+//! - `elimination.rs`: The Levenberg–Marquardt step on one strand's curvatures, in linear time.
+//! - `mirror.rs`: Mirrors strands across a plane.
+//! - `search.rs`: The Levenberg–Marquardt search on a strand's curvatures.
+//! - `springs.rs`: Springs on places of a strand during posing.
+//! - `trim.rs`: Cuts strands and lets them grow.
 
 mod brush;
 mod drag;
@@ -47,7 +47,7 @@ use crate::rod::kinematics::{ElementState, element_state};
 use crate::rod::segment;
 use crate::step::state::rotation_matrix;
 
-/// A strand's shape: where its root is, how long its elements are, how they curve.
+/// A strand's shape: the root's pose, the elements' lengths and curvatures.
 ///
 /// ```
 /// use superhelix::editing::{Growth, StrandShape};
@@ -69,11 +69,11 @@ pub struct StrandShape {
     pub root: Frame,
     /// Lengths from root to tip, m; at least one, each above zero.
     pub element_lengths: Vec<f64>,
-    /// Curvatures (twist, κ1, κ2), rad/m, a row an element.
+    /// Curvatures (twist, κ1, κ2), rad/m, one row per element.
     pub curvatures: Vec<[f64; 3]>,
 }
 
-/// How strands are posed.
+/// Options of posing.
 ///
 /// ```
 /// use superhelix::editing::PoseOptions;
@@ -86,16 +86,16 @@ pub struct StrandShape {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PoseOptions {
-    /// Which elements may change: one an element, strand after strand where there are many; `None`: all. The others keep their curvatures to
-    /// the bit.
+    /// Which elements may change: one flag per element, strand after strand for several strands; `None` for all. The others keep
+    /// their curvatures to the bit.
     pub movable: Option<Vec<bool>>,
-    /// The shape to stay near: 0 the present one, 1 the natural one, between them a mixture. 0 to 1.
+    /// The preferred shape: 0 for the current one, 1 for the natural one, a mixture in between. 0 to 1.
     pub natural_pull: f64,
-    /// The strand's direction at its tip stays what it is.
+    /// Whether the strand keeps its direction at the tip.
     pub keep_tip_direction: bool,
-    /// The strand is kept out of bodies; one that begins in a body is taken out of it.
+    /// Whether the strand stays outside bodies; one that starts inside is taken out.
     pub keep_out: bool,
-    /// How far strands stay from bodies, beyond both thicknesses, m; zero or above.
+    /// Distance of strands from bodies beyond both thicknesses, m; zero or above.
     pub clearance: f64,
 }
 
@@ -106,19 +106,19 @@ impl Default for PoseOptions {
 }
 
 impl PoseOptions {
-    /// Checks every value for strands of `elements` elements together; `argument` is the name put before the field in the message.
+    /// Checks every value for strands with `elements` elements in total; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str, elements: usize) -> Result<()> {
-        // Of many strands: all elements together.
+        // For several strands: all elements together.
         if let Some(movable) = &self.movable
             && movable.len() != elements
         {
             return Err(Error::invalid(
                 format!("{argument}.movable (count)"),
                 movable.len(),
-                format!("{elements}, one an element"),
+                format!("{elements}, one per element"),
             ));
         }
         if !(0.0..=1.0).contains(&self.natural_pull) {
@@ -128,20 +128,20 @@ impl PoseOptions {
     }
 }
 
-/// What is about a strand that is posed, and what it is like.
+/// The surroundings of a posed strand, and its properties.
 #[derive(Debug, Clone, Copy)]
 pub struct Surroundings<'a> {
-    /// Bodies to keep out of.
+    /// Bodies to stay out of.
     pub bodies: &'a [BodyAt<'a>],
-    /// How far from the centreline the strand begins for them, m; zero or above.
+    /// The strand's radius for contact with them, m; zero or above.
     pub radius: f64,
-    /// The first so many metres from the root may be in bodies; zero or above.
+    /// The length from the root that may be inside bodies, m; zero or above.
     pub exempt: f64,
-    /// Natural curvatures, a row an element, for [`PoseOptions::natural_pull`]; `None`: the present ones.
+    /// Natural curvatures, one row per element, for [`PoseOptions::natural_pull`]; `None` for the current ones.
     pub natural: Option<&'a [[f64; 3]]>,
-    /// Curvatures that may change at all.
+    /// The curvatures that may change.
     pub freedoms: Freedoms,
-    /// What it costs to change twist, κ1 and κ2, in proportion; above zero. Those of a strand's stiffness bend it as it would bend.
+    /// The relative cost of changing twist, κ1 and κ2; above zero. A strand's stiffnesses bend it the way it would bend.
     pub charge: [f64; 3],
 }
 
@@ -168,7 +168,7 @@ impl<'a> Surroundings<'a> {
 }
 
 impl StrandShape {
-    /// Checks counts and numbers; `argument` is the name put before the field in the message.
+    /// Checks counts and numbers; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -188,7 +188,7 @@ impl StrandShape {
         self.element_lengths.iter().sum()
     }
 
-    /// The pose of the material cross-section at an arclength from the root, m; beyond the ends, the elements there go on.
+    /// The pose of the material cross-section at an arclength from the root, m; beyond the ends, the end elements continue.
     pub fn frame_at(&self, arclength: f64) -> Frame {
         let (index, s) = self.station(arclength);
         let (mut frame, mut origin) = (rotation_matrix(&self.root), Vec3::<f64>::zero());
@@ -213,7 +213,7 @@ impl StrandShape {
         }
     }
 
-    /// The element that holds an arclength, and how far on it that is.
+    /// The element that holds an arclength, and the arclength on it.
     fn station(&self, arclength: f64) -> (usize, f64) {
         let mut rest = arclength;
         let last = self.element_lengths.len() - 1;

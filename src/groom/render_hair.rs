@@ -1,38 +1,40 @@
-//! Render hair: a hundred thousand strands from a thousand guides, by the semi-interpolating scheme of Bertails et al. 2006, section 4.1.
+//! Render hair: a hundred thousand strands from a thousand guides, by the semi-interpolating scheme of Bertails et al. 2006,
+//! section 4.1.
 //!
-//! [`RenderHair`] is the map: which guides each render strand follows and how. It is made once, from the guides and the places of the strands'
-//! roots, and never changes. [`RenderPose`] is where the guides are at one moment; each frame it is set anew and evaluated, in tiles and by
-//! any number of threads, into the caller's memory. A strand's points depend on the map and the pose alone, not on who evaluates them.
+//! [`RenderHair`] is the map: which guides each render strand follows, and how. It is built once, from the guides and the
+//! positions of the strands' roots, and never changes. [`RenderPose`] holds the guides at one moment; each frame sets it and
+//! evaluates it, in tiles and with any number of threads, into the caller's memory. A strand's points depend only on the map and
+//! the pose, not on the thread.
 //!
-//! Near the root a strand is mixed from its guides, in positions or in curvatures ([`Space`]); towards the tip it goes over to its wisp, a
-//! line beside its first guide, the more so the curlier the hair. Guides whose tips have parted are not mixed. docs/theory/render_hair.md has the
-//! formulas.
+//! Near the root a strand is mixed from its guides, in positions or in curvatures ([`Space`]). Towards the tip it blends into its
+//! wisp, a line beside its first guide, and more so the curlier the hair. Guides whose tips are far apart are not mixed.
+//! docs/theory/render_hair.md has the formulas.
 //!
 //! Files:
 //!
-//! - `align.rs`: How guides' bends are brought into step before they are mixed.
-//! - `binding.rs`: Binding: whom each strand follows, where it stands, what is random about it.
-//! - `bodies.rs`: Strands kept out of bodies: points that are too near go out along the distance field.
-//! - `curvature.rs`: Strands mixed from their guides' lengths and bends: worked out from the root to the tip, sixteen strands side by side.
-//! - `evaluate.rs`: The strands' points, in tiles, by many threads.
+//! - `align.rs`: Aligns the bends of guides before they are mixed.
+//! - `binding.rs`: Binds render strands to guides: which guides each strand follows, its place among them, and its random numbers.
+//! - `bodies.rs`: Keeps render strands out of bodies: points that are too close move out along the distance field.
+//! - `curvature.rs`: Strands mixed from their guides' lengths and bends: integrated from root to tip, sixteen strands side by side.
+//! - `evaluate.rs`: Evaluates the strands' points, in tiles and with many threads.
 //! - `frames.rs`: Material frames along a strand, from its points.
 //! - `guide_samples.rs`: Guides at one moment, as points.
-//! - `image.rs`: A map as bytes, and back.
-//! - `lengths.rs`: Strands kept as long as they are to be: points put anew on their way, as far from the root along it as wanted.
-//! - `phase.rs`: How a guide's curl goes round: the angle by which its bend has turned about the guide from point to point.
-//! - `pose.rs`: Where the guides are at one moment.
-//! - `position.rs`: Strands mixed from their guides' places, and brought to their wisps.
-//! - `profile.rs`: What depends on the place along a strand and not on the guides.
-//! - `quaternion.rs`: Rotations of frames in f32.
-//! - `reach.rs`: How far strands may lie from their first guide without being near a body: most of a groom's points need no other look.
-//! - `sections.rs`: How a patch of scalp becomes the section of the hair that stands on it.
-//! - `settings.rs`: What render strands are to look like.
-//! - `shape.rs`: The guides' shapes at one moment, in the form in which strands are mixed from them.
-//! - `silhouette.rs`: Strands of mixed curvatures brought to where mixed positions lead.
-//! - `strand.rs`: A render strand as the map has it: whom it follows, and how.
-//! - `weights.rs`: Which guides a strand follows, and with what weights.
-//! - `wisps.rs`: Wisps: the strands that follow a guide first, shared among middles that lie far from each other.
-//! - `without.rs`: A map that lives on when guides are gone.
+//! - `image.rs`: Serialises the map.
+//! - `lengths.rs`: Restores the lengths of render strands: moves points along their path to their target arclengths.
+//! - `phase.rs`: The phase of a guide's curl: the angle by which its bend has rotated about the guide from point to point.
+//! - `pose.rs`: The guides of render hair at one moment.
+//! - `position.rs`: Strands mixed from their guides' positions, and blended into their wisps.
+//! - `profile.rs`: Profiles along a strand that do not depend on the guides.
+//! - `quaternion.rs`: Quaternions of frames in f32.
+//! - `reach.rs`: The distance around a guide within which no body lies: it spares most of a groom's points further checks.
+//! - `sections.rs`: Maps a patch of scalp to the cross-section of the hair on it.
+//! - `settings.rs`: Settings of render hair.
+//! - `shape.rs`: The guides' shapes at one moment, in the form from which strands are mixed.
+//! - `silhouette.rs`: Moves strands of mixed curvatures to where mixed positions lead.
+//! - `strand.rs`: A render strand in the map: the guides that it follows, and how.
+//! - `weights.rs`: Chooses the guides that a strand follows, and their weights.
+//! - `wisps.rs`: Wisps: divides the strands of each first guide among well-separated middles.
+//! - `without.rs`: Removes guides from a map.
 
 mod align;
 mod binding;
@@ -68,17 +70,17 @@ pub use pose::{RenderPose, VELOCITY_STEP};
 pub use settings::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
 
 use crate::workers::Crew;
-use evaluate::Scratch;
+use evaluate::EvaluateScratch;
 use profile::Profiles;
 use shape::Reference;
 use silhouette::Silhouette;
 use strand::{RenderCurl, RenderStrand};
 
-/// Turning of a curve up to which it counts as straight, and from which on as curly, rad.
+/// The turning of a curve up to which it is straight, and that from which on it is curly, rad.
 const STRAIGHT: f64 = std::f64::consts::FRAC_PI_2;
 const CURLY: f64 = 3.0 * std::f64::consts::PI;
 
-/// The map from guides to render strands. It does not change: any threads may use it at the same time.
+/// The map from guides to render strands. Immutable: any threads may use it at the same time.
 ///
 /// ```
 /// use std::sync::{Arc, Mutex};
@@ -117,12 +119,12 @@ pub struct RenderHair {
     settings: RenderSettings,
     reference: Reference,
     profiles: Profiles,
-    /// Where curvatures are mixed.
+    /// For mixed curvatures.
     silhouette: Silhouette,
     strands: Vec<RenderStrand>,
-    /// Empty where positions are mixed.
+    /// Empty if positions are mixed.
     curls: Vec<RenderCurl>,
-    crew: Crew<Scratch>,
+    crew: Crew<EvaluateScratch>,
 }
 
 impl std::fmt::Debug for RenderHair {
@@ -131,18 +133,18 @@ impl std::fmt::Debug for RenderHair {
     }
 }
 
-/// How curly a curve of points is, 0 to 1: from 0 where its edges turn by a quarter turn together over a smooth step to 1 at one and a half
-/// turns. Points that zigzag count as curly.
+/// How curly a curve of points is, 0 to 1: a smooth step of the total turning of its edges, from 0 at a quarter turn to 1 at one
+/// and a half turns. Points that zigzag count as curly.
 pub fn measured_curliness(points: &[Vector3<f64>]) -> f64 {
     let edges: Vec<_> = points.windows(2).filter_map(|edge| (edge[1] - edge[0]).try_normalize(0.0)).collect();
     let turn = |pair: &[Vector3<f64>]| phase::argument([pair[0].dot(&pair[1]), pair[0].cross(&pair[1]).norm()]);
     let turning: f64 = edges.windows(2).map(turn).sum();
-    let share = ((turning - STRAIGHT) / (CURLY - STRAIGHT)).clamp(0.0, 1.0);
-    share * share * (3.0 - 2.0 * share)
+    let fraction = ((turning - STRAIGHT) / (CURLY - STRAIGHT)).clamp(0.0, 1.0);
+    fraction * fraction * (3.0 - 2.0 * fraction)
 }
 
 impl RenderHair {
-    /// What the map was made with.
+    /// The settings of the map.
     pub fn settings(&self) -> &RenderSettings {
         &self.settings
     }
@@ -157,8 +159,8 @@ impl RenderHair {
         self.reference.guides
     }
 
-    /// The guides that a strand follows, the nearest first, with their weights at the root, which sum to 1; none where `strand` is not below
-    /// [`RenderHair::strand_count`].
+    /// The guides that a strand follows, nearest first, with their weights at the root, which sum to 1; `None` if `strand` is not
+    /// below [`RenderHair::strand_count`].
     pub fn guides_of(&self, strand: usize) -> Option<impl Iterator<Item = (u32, f32)> + '_> {
         let strand = self.strands.get(strand)?;
         Some(
@@ -173,12 +175,12 @@ impl RenderHair {
         )
     }
 
-    /// Which of its first guide's wisps a strand belongs to, from 0.
+    /// The wisp of its first guide to which a strand belongs, from 0.
     pub fn wisp_of(&self, strand: usize) -> Option<u32> {
         self.strands.get(strand).map(|strand| strand.wisp)
     }
 
-    /// Bytes that the map holds.
+    /// Memory of the map, bytes.
     pub fn memory_usage(&self) -> u64 {
         let profiles =
             [&self.profiles.place, &self.profiles.wisp, &self.profiles.radius, &self.profiles.frizz, &self.profiles.clumps];

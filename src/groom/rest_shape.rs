@@ -1,4 +1,4 @@
-//! Natural shapes that hold a strand where it is drawn: equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
+//! Natural shapes that hold a strand in its drawn shape: equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
 
 use nalgebra::Vector3;
 
@@ -12,25 +12,25 @@ use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 use crate::step::state::rotation_matrix;
 
-/// Natural curvatures with which a strand of this definition is in equilibrium under gravity (m/s²) in the shape `curvatures`, a row an
-/// element. Frozen freedoms carry no moment of their own: their natural value is the curvature itself.
+/// The natural curvatures with which a strand of this definition is in equilibrium under gravity (m/s²) in the shape
+/// `curvatures`, one row per element. Frozen freedoms carry no moment of their own: their natural value is the curvature itself.
 ///
 /// The balance is exact to rounding in a solver of the default
-/// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), and to that tolerance in others:
-/// [`natural_under_gravity_with`] is for them. Whether that equilibrium is stable is another question, which
-/// [`stability_under_gravity`](super::stability::stability_under_gravity) answers: a limp strand drawn upright is held exactly, and falls at a
-/// touch.
+/// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), and to that tolerance in
+/// others, for which there is [`natural_under_gravity_with`]. Whether the equilibrium is stable is another question, which
+/// [`stability_under_gravity`](super::stability::stability_under_gravity) answers: a limp strand drawn upright is held exactly,
+/// and falls at a touch.
 ///
 /// # Errors
-/// [`crate::error::Error::InvalidArgument`] for a definition or rows that cannot be used.
+/// [`crate::error::Error::InvalidArgument`] for an invalid definition or rows.
 pub fn natural_under_gravity(strand: &StrandDef, curvatures: &[[f64; 3]], gravity: Vector3<f64>) -> Result<Vec<[f64; 3]>> {
     natural_under_gravity_with(strand, curvatures, gravity, quadrature::DEFAULT_TOLERANCE)
 }
 
-/// The same for a solver of that `quadrature_tolerance`.
+/// The same for a solver of this `quadrature_tolerance`.
 ///
 /// # Errors
-/// [`crate::error::Error::InvalidArgument`] for a definition, rows or a tolerance (1e-12 to 1e-2) that cannot be used.
+/// [`crate::error::Error::InvalidArgument`] for an invalid definition, rows or tolerance (1e-12 to 1e-2).
 pub fn natural_under_gravity_with(
     strand: &StrandDef,
     curvatures: &[[f64; 3]],
@@ -50,7 +50,7 @@ pub fn natural_under_gravity_with(
     Ok(held_up(&model, &strand.root, curvatures, gravity, rule, &mut Kinematics::default()))
 }
 
-/// The same of a living strand's constants, on the quadrature rule that its steps use; `kinematics` is scratch.
+/// The same for a simulated strand's constants, on the quadrature rule of its steps; `kinematics` is scratch memory.
 pub(crate) fn held_up(
     model: &StrandModel,
     root: &Frame,

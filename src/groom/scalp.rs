@@ -1,17 +1,17 @@
-//! A scalp: a triangle mesh on which follicles stand, and which may deform.
+//! A scalp: a triangle mesh with follicles, which may deform.
 //!
-//! A [`Follicle`] is a place on a triangle; its frame comes of the mesh as it is at the moment: n0 along the normal, n1 along the direction in
-//! which the texture coordinate u grows. Follicles are scattered evenly ([`Scalp::scatter`]) or put where texture coordinates say
-//! ([`Scalp::follicles_at`]). What moves with the mesh are [`Scalp::frames`]: the roots of guides for
+//! A [`Follicle`] is a place on a triangle. Its frame follows from the current mesh: n0 along the normal, n1 along the direction
+//! of increasing texture coordinate u. Follicles are scattered evenly ([`Scalp::scatter`]) or placed by texture coordinates
+//! ([`Scalp::follicles_at`]). [`Scalp::frames`] gives frames that move with the mesh: the roots of guides for
 //! [`Solver::set_root_frames`](crate::solver::Solver::set_root_frames), or of render strands.
 //!
 //! Files:
 //!
-//! - `density.rs`: How densely follicles are to stand.
-//! - `elimination.rs`: Sample elimination (Yuksel, "Sample elimination for generating Poisson disk sample sets", 2015).
-//! - `frames.rs`: Follicles' frames on a scalp as it is at the moment.
-//! - `scatter.rs`: Follicles scattered over a scalp: blue noise, as dense as a map says.
-//! - `texture.rs`: Follicles by texture coordinates.
+//! - `density.rs`: The relative density of follicles over a scalp.
+//! - `elimination.rs`: Sample elimination: of many random candidates the most crowded are removed, one after the other (Yuksel, "Sample elimination for generating Poisson disk sample sets", 2015).
+//! - `frames.rs`: Frames of follicles on the current scalp.
+//! - `scatter.rs`: Scatters follicles over a scalp as blue noise of a given density.
+//! - `texture.rs`: Places follicles by texture coordinates.
 
 mod density;
 mod elimination;
@@ -43,27 +43,27 @@ use crate::error::{Error, Result, check_finite};
 pub struct Follicle {
     /// The triangle's number.
     pub triangle: u32,
-    /// Shares of its second and third corner; the first has the rest. 0 or above, together at most 1.
+    /// Barycentric weights of its second and third corner; the first has the rest. 0 or above, together at most 1.
     pub shares: [f64; 2],
 }
 
 impl Follicle {
-    /// Shares of the three corners.
+    /// Barycentric weights of the three corners.
     pub fn weights(&self) -> [f64; 3] {
         [1.0 - self.shares[0] - self.shares[1], self.shares[0], self.shares[1]]
     }
 
-    /// Something of the three corners, mixed.
+    /// Interpolates a quantity of the three corners.
     fn mix(&self, corners: [Vector3<f64>; 3]) -> Vector3<f64> {
         let [a, b, c] = self.weights();
         corners[0] * a + corners[1] * b + corners[2] * c
     }
 }
 
-/// How far shares may be outside their triangle to count as on its border: what f32 rounds.
+/// How far weights may be outside their triangle and still count as on its border: the rounding of f32.
 const BORDER: f64 = 1e-6;
 
-/// A mesh at rest. It does not change: any threads may use it at the same time.
+/// A mesh at rest. Immutable: any threads may use it at the same time.
 ///
 /// ```
 /// use superhelix::hair::{Amount, Density, Scalp, ScatterOptions};
@@ -85,20 +85,21 @@ pub struct Scalp {
     triangles: Vec<[u32; 3]>,
     /// Texture coordinates of every triangle's corners.
     uvs: Option<Vec<[[f64; 2]; 3]>>,
-    /// Of each corner the coordinate along which n1 lies.
+    /// For each corner the coordinate along which n1 lies.
     along: Vec<[f64; 3]>,
-    /// The coordinate across, where there is one; with it n1 goes along a line on which it stays the same.
+    /// The transverse coordinate, if there is one; n1 then follows a line on which it stays the same.
     across: Vec<[f64; 3]>,
 }
 
 impl Scalp {
-    /// A scalp from vertices (m) in its rest pose and triangles, wound anticlockwise seen from outside. `uvs`: texture coordinates of every
-    /// triangle's corners (so that seams may run through the mesh). Without them n1 follows the axis `reference` (any length above zero) as it
-    /// lies on the scalp at rest; where the scalp stands across that axis its direction is arbitrary.
+    /// A scalp from vertices (m) in its rest pose and triangles, wound anticlockwise as seen from outside. `uvs`: texture
+    /// coordinates of every triangle's corners (so seams may run through the mesh). Without them n1 follows the axis `reference`
+    /// (any length above zero), projected onto the scalp at rest; where the scalp is perpendicular to that axis its direction is
+    /// arbitrary.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for numbers that are not finite, indices that name no vertex, counts that do not fit, no triangle with an
-    /// area.
+    /// [`Error::InvalidArgument`] for numbers that are not finite, indices without a vertex, mismatched counts, and if no
+    /// triangle has an area.
     pub fn new(
         vertices: Vec<Vector3<f64>>,
         triangles: Vec<[u32; 3]>,
@@ -153,7 +154,7 @@ impl Scalp {
         self.triangles.iter().map(|triangle| 0.5 * double_area(&self.vertices, triangle).norm()).sum()
     }
 
-    /// Checks follicles that came from outside; `argument` is their name.
+    /// Checks a caller's follicles; `argument` is their name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first that is not on the scalp.
@@ -171,7 +172,7 @@ impl Scalp {
         Ok(())
     }
 
-    /// Where a follicle is on the scalp at rest, m. The follicle must be one of this scalp.
+    /// The position of a follicle on the scalp at rest, m. The follicle must be one of this scalp.
     pub fn place(&self, follicle: &Follicle) -> Vector3<f64> {
         follicle.mix(self.corners(&self.vertices, follicle.triangle))
     }
@@ -180,7 +181,7 @@ impl Scalp {
         self.triangles[triangle as usize].map(|vertex| vertices[vertex as usize])
     }
 
-    /// Bytes that the scalp holds.
+    /// Memory of the scalp, bytes.
     pub fn memory_usage(&self) -> u64 {
         let corners = self.along.capacity() + self.across.capacity() + 2 * self.uvs.as_ref().map_or(0, Vec::capacity);
         (size_of::<Self>() + 24 * (self.vertices.capacity() + corners) + 12 * self.triangles.capacity()) as u64

@@ -1,9 +1,9 @@
-//! Whether a strand that is held up in a shape stays in it when touched, and how much stiffer it must be to do so.
+//! Whether a strand that is held up in a shape stays there when disturbed, and how much stiffer it must be to do so.
 //!
-//! With the natural shape chosen as [`super::rest_shape`] says, any shape is an equilibrium. The Hessian there is K + W: K elastic, W that of
-//! the weight, which depends on the shape and on nothing natural. λ is the smallest eigenvalue of (K + W) x = λ K x. A strand s times as
-//! stiff, of the same weight and shape, has K + W/s in units of its own stiffness, hence 1 + (λ − 1)/s in place of λ: the stiffening that
-//! is needed is known in closed form.
+//! With the natural shape chosen as [`super::rest_shape`] says, any shape is an equilibrium. Its Hessian is K + W: K elastic, W
+//! that of the weight, which depends on the shape and not on the natural one. λ is the smallest eigenvalue of (K + W) x = λ K x.
+//! A strand s times as stiff, of the same weight and shape, has K + W/s in units of its own stiffness, hence 1 + (λ − 1)/s
+//! instead of λ: the necessary stiffening has a closed form.
 
 use nalgebra::Vector3;
 
@@ -12,7 +12,7 @@ use crate::rod::definition::StrandDef;
 use crate::rod::material::Material;
 use crate::step::equilibrium;
 
-/// How firmly a strand rests in a shape under gravity, were its natural shape chosen to hold it there.
+/// How firmly a strand rests in a shape under gravity, with a natural shape that holds it there.
 ///
 /// ```
 /// use superhelix::StrandDef;
@@ -31,9 +31,9 @@ use crate::step::equilibrium;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stability {
-    /// The smallest eigenvalue λ of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a little more for strands
-    /// that it holds everywhere), 0 at the border of stability, below it unstable. Rounding leaves it within 1e-9. Not a number if it could
-    /// not be found.
+    /// The smallest eigenvalue λ of the static Hessian against the elastic stiffness: 1 without gravity (a little more for
+    /// strands that it stiffens everywhere), 0 at the limit of stability, negative for unstable ones. Rounding leaves it within
+    /// 1e-9. NaN if it could not be found.
     pub smallest_eigenvalue: f64,
 }
 
@@ -43,9 +43,9 @@ impl Stability {
         self.smallest_eigenvalue > 0.0
     }
 
-    /// The smallest factor, 1 or above, on Young's modulus (Poisson's ratio as it is) with which the eigenvalue is at least `margin`, 0 to
-    /// less than 1, in the same shape with a natural shape chosen anew. With margin 0 the strand is put on the very border: it needs a little
-    /// more.
+    /// The smallest factor, 1 or above, on Young's modulus (at the same Poisson's ratio) for which the eigenvalue is at least
+    /// `margin`, 0 to less than 1, in the same shape with a newly chosen natural shape. With margin 0 the strand is exactly at
+    /// the limit: it needs a little more.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a margin out of range.
@@ -64,17 +64,17 @@ impl Stability {
     }
 }
 
-/// What is changed of a material to make it stiffer.
+/// What to change of a material to make it stiffer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stiffening {
-    /// Young's modulus, Poisson's ratio as it is.
+    /// Young's modulus, at the same Poisson's ratio.
     YoungsModulus,
     /// Both semi-axes, and with them the weight.
     Radius,
 }
 
 impl Stiffening {
-    /// The factor that a strand needs, see [`Stability::youngs_scale`].
+    /// The factor for a strand: see [`Stability::youngs_scale`].
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a margin out of range.
@@ -85,7 +85,7 @@ impl Stiffening {
         }
     }
 
-    /// A material with that factor.
+    /// A material with this factor.
     #[must_use]
     pub fn applied(self, material: &Material, scale: f64) -> Material {
         match self {
@@ -95,17 +95,17 @@ impl Stiffening {
     }
 }
 
-/// That a margin of stability is 0 to less than 1.
+/// Checks that a margin of stability is 0 to less than 1.
 pub(crate) fn check_margin(margin: f64) -> Result<()> {
     if (0.0..1.0).contains(&margin) { Ok(()) } else { Err(Error::invalid("margin", margin, "0 to less than 1")) }
 }
 
-/// The stability under gravity (m/s²) of a strand of this definition in the shape `curvatures`, a row an element (frozen freedoms at their
-/// natural values), held there by the natural shape that [`natural_under_gravity`](super::rest_shape::natural_under_gravity) gives. Costs the
-/// cube of the number of elements.
+/// The stability under gravity (m/s²) of a strand of this definition in the shape `curvatures`, one row per element (frozen
+/// freedoms at their natural values), held there by the natural shape of
+/// [`natural_under_gravity`](super::rest_shape::natural_under_gravity). Costs the cube of the number of elements.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for a definition, rows or gravity that cannot be used.
+/// [`Error::InvalidArgument`] for an invalid definition, rows or gravity.
 pub fn stability_under_gravity(strand: &StrandDef, curvatures: &[[f64; 3]], gravity: Vector3<f64>) -> Result<Stability> {
     Ok(Stability { smallest_eigenvalue: equilibrium::smallest_eigenvalue(strand, curvatures, gravity)? })
 }

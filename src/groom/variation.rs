@@ -1,9 +1,9 @@
-//! How strands differ from each other and along themselves: seeded, the same whoever asks, in whatever order.
+//! Random variation between strands and along them: seeded, and independent of the order of queries.
 //!
-//! Every number is a function of the seed, the strand and a place: there is no generator whose state would have to be carried. Along a strand
-//! they are a function of arclength, so that more elements resolve the same hair better instead of making another. The numbers have mean 0
-//! and variance 1, are sums of four uniform ones and never beyond 2√3; only sums, products and square roots are used, which are the same bits
-//! everywhere.
+//! Every number is a function of the seed, the strand and a place: there is no generator with a state. Along a strand the numbers
+//! are a function of arclength, so more elements resolve the same hair better instead of making another. They have mean 0 and
+//! variance 1, and are sums of four uniform ones, so never beyond 2√3. Only sums, products and square roots are used, which have
+//! the same bits everywhere.
 
 use crate::error::{Error, Result, check_not_negative};
 use crate::groom::hair_parameters::HairParameters;
@@ -11,7 +11,7 @@ use crate::math::random::mixed;
 use crate::rod::definition::{check_lengths, check_rows};
 use crate::rod::material::Material;
 
-/// How strands of a head vary.
+/// How the strands of a head vary.
 ///
 /// ```
 /// use superhelix::hair::Variation;
@@ -25,21 +25,22 @@ use crate::rod::material::Material;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variation {
-    /// Of the natural twist and curvature from strand to strand: standard deviation over the mean; 0 to 0.25.
+    /// Natural twist and curvature, between strands: standard deviation over the mean; 0 to 0.25.
     pub between: f64,
-    /// Of the natural twist and curvature along a strand (Bertails et al. 2006, section 4.2: "small random variations along each
+    /// Natural twist and curvature, along a strand (Bertails et al. 2006, section 4.2: "small random variations along each
     /// Super-Helix"): standard deviation over the mean; 0 to 0.25.
     pub along: f64,
-    /// Of the section's radius from strand to strand: standard deviation over the mean; 0 to 0.25.
+    /// Radius of the section, between strands: standard deviation over the mean; 0 to 0.25.
     pub thickness: f64,
-    /// Natural curvature in random directions that is added along a strand: standard deviation, rad/m; zero or above. What makes straight
+    /// Additional natural curvature in random directions along a strand: standard deviation, rad/m; zero or above. Makes straight
     /// hair frizzy.
     pub frizz: f64,
-    /// The arclength over which what varies along a strand changes, m; 1e-4 or above.
+    /// The arclength over which properties vary along a strand, m; 1e-4 or above.
     pub period: f64,
-    /// The roots' frames are turned about their tangents by up to so much either way, rad; 0 to π. Strands with curls then are out of step.
+    /// The roots' frames are turned about their tangents by up to this angle either way, rad; 0 to π. Curls are then out of
+    /// phase.
     pub root_turn: f64,
-    /// Another seed, other strands of the same kind.
+    /// Another seed gives other strands of the same type.
     pub seed: u64,
 }
 
@@ -49,18 +50,18 @@ impl Default for Variation {
     }
 }
 
-/// A strand that varies.
+/// A strand with its variation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VariedStrand {
     /// Section and material.
     pub material: Material,
     /// Natural twist and curvatures of each element, rad/m.
     pub natural: Vec<[f64; 3]>,
-    /// By how much to turn the root's frame about its tangent, rad.
+    /// The rotation of the root's frame about its tangent, rad.
     pub root_turn: f64,
 }
 
-/// What is asked for: each has its own numbers.
+/// The varied quantity: each has its own numbers.
 #[derive(Clone, Copy)]
 enum Of {
     Curl = 1,
@@ -74,25 +75,25 @@ enum Of {
 
 impl Variation {
     /// The greatest relative deviation: beyond it a number three and a half deviations below its mean would change its sign.
-    pub const MOST: f64 = 0.25;
+    pub const MAX_DEVIATION: f64 = 0.25;
 
     /// No variation; 2 cm.
     pub const fn none() -> Self {
         Self { between: 0.0, along: 0.0, thickness: 0.0, frizz: 0.0, period: 0.02, root_turn: 0.0, seed: 0 }
     }
 
-    /// A little of each, as people have it: 0.1 between, 0.1 along, thickness 0.08, frizz 8 rad/m, roots turned by up to half a radian.
+    /// A natural amount of each: 0.1 between, 0.1 along, thickness 0.08, frizz 8 rad/m, roots turned by up to half a radian.
     pub const fn natural() -> Self {
         Self { between: 0.1, along: 0.1, thickness: 0.08, frizz: 8.0, period: 0.02, root_turn: 0.5, seed: 0 }
     }
 
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
         for (name, value) in [("between", self.between), ("along", self.along), ("thickness", self.thickness)] {
-            if !(0.0..=Self::MOST).contains(&value) {
+            if !(0.0..=Self::MAX_DEVIATION).contains(&value) {
                 return Err(Error::invalid(format!("{argument}.{name}"), value, "a number from 0 to 0.25"));
             }
         }
@@ -106,7 +107,7 @@ impl Variation {
         Err(Error::invalid(format!("{argument}.root_turn"), self.root_turn, "a number from 0 to pi"))
     }
 
-    /// Four uniform numbers of a place, summed to mean 0 and variance 1.
+    /// The sum of four uniform numbers of a place, with mean 0 and variance 1.
     fn number(&self, strand: u64, of: Of, place: u64) -> f64 {
         let mut state = mixed(self.seed ^ mixed(strand ^ mixed(place.wrapping_mul(8).wrapping_add(of as u64))));
         let mut sum = 0.0;
@@ -117,23 +118,23 @@ impl Variation {
         (sum - 2.0) * 3.0_f64.sqrt()
     }
 
-    /// A number that changes over `period`: between places a mean of the two, of variance 1 throughout.
+    /// A number that changes over `period`: interpolated between two places, with variance 1 throughout.
     fn along(&self, strand: u64, of: Of, arclength: f64) -> f64 {
         let place = arclength / self.period;
         let before = place.floor();
-        let share = place - before;
+        let fraction = place - before;
         let (first, second) = (self.number(strand, of, before as u64), self.number(strand, of, (before as u64).wrapping_add(1)));
-        ((1.0 - share) * first + share * second) / ((1.0 - share) * (1.0 - share) + share * share).sqrt()
+        ((1.0 - fraction) * first + fraction * second) / ((1.0 - fraction) * (1.0 - fraction) + fraction * fraction).sqrt()
     }
 }
 
 impl Variation {
-    /// The natural twist and curvatures of a strand that has a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these lengths, m),
-    /// varied as those of the strand of that number: `between`, `along` and `frizz`.
+    /// The natural twist and curvatures of a strand with a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these
+    /// lengths, m), varied like those of the strand with this number: `between`, `along` and `frizz`.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a variation out of range (`variation`), lengths that are not above zero, rows that are not finite or not
-    /// as many as elements.
+    /// [`Error::InvalidArgument`] for a variation out of range (`variation`), lengths that are not above zero, rows that are not
+    /// finite or not one per element.
     pub fn of_shape(&self, strand: u64, element_lengths: &[f64], natural: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
         self.check("variation")?;
         check_lengths("element_lengths", element_lengths)?;
@@ -147,7 +148,7 @@ impl Variation {
         let one = |(element, length): (usize, &f64)| {
             let middle = begin + 0.5 * length;
             begin += length;
-            let varied = |of: Of, share: f64| if share == 0.0 { 0.0 } else { share * self.along(strand, of, middle) };
+            let varied = |of: Of, fraction: f64| if fraction == 0.0 { 0.0 } else { fraction * self.along(strand, of, middle) };
             let curl = own * (1.0 + varied(Of::AlongCurl, self.along));
             let twist = own * (1.0 + varied(Of::AlongTwist, self.along));
             let [k0, k1, k2] = of(element);
@@ -158,8 +159,8 @@ impl Variation {
 }
 
 impl HairParameters {
-    /// The strand of that number (any number: the same one always gives the same strand) with elements of these lengths, m. What varies
-    /// along it is taken at the elements' middles.
+    /// The strand with this number (any number: the same one always gives the same strand) with elements of these lengths, m.
+    /// Properties that vary along it are evaluated at the elements' middles.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for parameters out of range (`hair`) and lengths that are not above zero.
@@ -169,7 +170,7 @@ impl HairParameters {
         let v = &self.variation;
         let thickness = 1.0 + v.thickness * v.number(strand, Of::Thickness, 0);
         let natural = v.varied(strand, element_lengths, |_| self.natural);
-        // A uniform number is enough here, and the sum of four is bounded: a quarter of its range either way.
+        // One uniform number is enough here. The sum of four is bounded: a quarter of its range either way.
         let turn = v.number(strand, Of::Turn, 0) / (2.0 * 3.0_f64.sqrt());
         let mut material = self.material;
         material.radius = material.radius.map(|radius| radius * thickness);

@@ -1,23 +1,24 @@
-//! Wisps: a guide of a groom stands for the hairs around it, which lie and move together.
+//! Wisps: a guide of a groom represents the hairs around it, which lie and move together.
 //!
-//! Symbols: n hairs of section S, bending stiffness EI, internal friction γ and air drag ν; h the hold. A bundle of n fibres bends with n EI where
-//! they slide freely past each other and with n² EI where they are bonded; friction, oil and product between them hold it in between (Bathe et al.
-//! 2008, Heussinger et al. 2007, on bundles with shear between fibres). The hold is the exponent: n^(1+h) EI. Internal friction, which acts where
-//! fibres slide and bend, goes with it, and what holds them together rubs as well; weight and drag are those of n hairs.
+//! Symbols: n hairs of section S, bending stiffness EI, internal friction γ and air drag ν; h the hold. A bundle of n fibres
+//! bends with n EI if they slide freely past each other and with n² EI if they are bonded; friction, oil and product between them
+//! hold it in between (Bathe et al. 2008, Heussinger et al. 2007, on bundles with shear between fibres). The hold is the
+//! exponent: n^(1+h) EI. Internal friction, which acts where fibres slide and bend, scales in the same way, and whatever holds
+//! them together adds friction; weight and drag are those of n hairs.
 
 use crate::error::{Error, Result};
 use crate::rod::material::Material;
 
-/// The share of a wisp's section that is hair, the rest is air between them: loosely lying cylinders.
+/// The fraction of a wisp's section that is hair; the rest is air between loosely lying cylinders.
 const PACKING: f64 = 0.5;
-/// The margin of stability that lacquered hair rests with, see [`Wisp::margin`].
+/// The margin of stability of lacquered hair: see [`Wisp::margin`].
 const LACQUERED_MARGIN: f64 = 0.9;
-/// The Kelvin–Voigt time of what holds lacquered hair together, s: locks come to rest within half a second.
+/// The Kelvin–Voigt time of whatever holds lacquered hair together, s: locks come to rest within half a second.
 const CALMING: f64 = 0.1;
 /// Most hairs of a wisp: more than a head has.
-const MOST_HAIRS: f64 = 1e6;
+const MAX_HAIRS: f64 = 1e6;
 
-/// What a guide stands for.
+/// What a guide represents.
 ///
 /// ```
 /// use superhelix::{Material, Wisp};
@@ -33,12 +34,12 @@ const MOST_HAIRS: f64 = 1e6;
 pub struct Wisp {
     /// Hairs n; 1 to 1e6. A head has about 100,000.
     pub hairs: f64,
-    /// How firmly they hold together and to their style, h: from 0 (bare hair, free to slide) to 1 (lacquered).
+    /// How firmly they hold together and keep their style, h: from 0 (bare hair, free to slide) to 1 (lacquered).
     pub hold: f64,
 }
 
 impl Default for Wisp {
-    /// 200 hairs, hold 0.6: 24 times as stiff for its weight as one of its hairs, as styled hair is.
+    /// 200 hairs, hold 0.6: 24 times as stiff for its weight as one of its hairs, like styled hair.
     fn default() -> Self {
         Self { hairs: 200.0, hold: 0.6 }
     }
@@ -50,12 +51,12 @@ impl Wisp {
         Self { hairs: 1.0, hold: 0.0 }
     }
 
-    /// Checks both; `argument` is the name put before the field in the message.
+    /// Checks both; messages put `argument` before the field's name.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming the first that is out of range.
+    /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
-        if !(1.0..=MOST_HAIRS).contains(&self.hairs) {
+        if !(1.0..=MAX_HAIRS).contains(&self.hairs) {
             return Err(Error::invalid(format!("{argument}.hairs"), self.hairs, "a number from 1 to 1e6"));
         }
         if !(0.0..=1.0).contains(&self.hold) {
@@ -64,17 +65,18 @@ impl Wisp {
         Ok(())
     }
 
-    /// How much stiffer it is, for its weight, than one of its hairs: n^h.
+    /// The factor on a hair's stiffness for its weight: n^h.
     pub fn stiffening(&self) -> f64 {
         power(self.hairs, self.hold)
     }
 
-    /// The rod that moves as the wisp does: its section is that of n hairs, side by side without air between them, radii √n times those of one;
-    /// density and Poisson's ratio are a hair's. Young's modulus is n^(h−1) times a hair's, so that it bends with n^(1+h) EI and twists alike;
-    /// internal friction n^(1+h) γ, air drag n ν, and the Kelvin–Voigt time 0.1 h seconds more than a hair's.
+    /// The material of a rod that moves like the wisp. Its section is that of n hairs, side by side without air between them,
+    /// with radii √n times those of one; density and Poisson's ratio are a hair's. Young's modulus is n^(h−1) times a hair's, so
+    /// that it bends with n^(1+h) EI and twists in proportion; internal friction is n^(1+h) γ, air drag n ν, and the Kelvin–Voigt
+    /// time 0.1 h seconds more than a hair's.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming `wisp.field` or `hair.field`, or `hair` where the products are no ordinary numbers.
+    /// [`Error::InvalidArgument`] naming `wisp.field` or `hair.field`, or `hair` where the products are not ordinary numbers.
     pub fn material(&self, hair: &Material) -> Result<Material> {
         self.check("wisp")?;
         hair.check("hair")?;
@@ -91,25 +93,27 @@ impl Wisp {
         Ok(wisp)
     }
 
-    /// The radius within which its hairs lie, m: where it meets other wisps.
+    /// The radius within which its hairs lie, m: its radius for contact with other wisps.
     pub fn radius(&self, hair: &Material) -> f64 {
         hair.mean_radius() * (self.hairs / PACKING).sqrt()
     }
 
-    /// The margin of stability with which the hold lets it rest as drawn, 0.9 h: the smallest eigenvalue of the static Hessian against the elastic
-    /// stiffness is to be at least that ([`crate::groom::stability`]). None for bare hair, which rests where it can.
+    /// The margin of stability with which the hold lets it rest as drawn, 0.9 h: the smallest eigenvalue of the static Hessian
+    /// against the elastic stiffness must be at least that ([`crate::groom::stability`]). `None` for bare hair, which rests where
+    /// it can.
     pub fn margin(&self) -> Option<f64> {
         (self.hold > 0.0).then_some(LACQUERED_MARGIN * self.hold)
     }
 }
 
-/// x^h, of x from 1 on and h from 0 to 1, by square roots alone: the same bits on every machine, which the platform's power does not promise.
+/// x^h, for x from 1 on and h from 0 to 1, by square roots alone: the same bits on every machine, which the platform's power does
+/// not guarantee.
 fn power(x: f64, h: f64) -> f64 {
     let (mut result, mut root, mut rest) = (1.0, x, h);
     if rest >= 1.0 {
         return x;
     }
-    // A digit of h in base two after the other.
+    // One binary digit of h after the other.
     for _ in 0..53 {
         root = root.sqrt();
         rest *= 2.0;

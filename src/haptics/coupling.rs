@@ -1,6 +1,9 @@
-//! The virtual coupling between the device and the tool in the simulation (Colgate, Stanley and Brown 1995): a spring and a damper, to displacement and to
-//! turning, between where the hand has the handle and where the tool's handle is, the proxy. The tool has no mass of its own; the device's is in the
-//! hand. So the proxy is at every moment where coupling and hair are in balance, and the hand feels what the hair does to the tool.
+//! The virtual coupling between the device and the tool in the simulation: a spring and a damper (Colgate, Stanley and Brown
+//! 1995).
+//!
+//! It acts on displacement and rotation between the handle in the hand and the tool's handle, the proxy. The tool has no mass of
+//! its own; the device's is in the hand. So the proxy is always where coupling and hair balance, and the hand feels what the hair
+//! does to the tool.
 
 use nalgebra::Vector3;
 
@@ -8,16 +11,16 @@ use super::options::HapticOptions;
 use crate::math::frame::Frame;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
 
-/// Mass and moment of inertia about the handle, kg and kg·m², of the hair that the tool presses on.
+/// Mass and moment of inertia about the handle, kg and kg·m², of the hair against the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct AddedMass {
     pub mass: f64,
     pub moment: f64,
 }
 
-/// In direct mode the proxy answers to the force of the step before. Hair that is pressed on resists with its mass over the square of the step: a tool
-/// that gives way more easily than that leaps to and fro, further each time. (The added-mass instability of explicit coupling, Causin, Gerbeau and Nobile
-/// 2005.) It is damped by so many times the hair's momentum.
+/// In direct mode the proxy responds to the force of the last step. Hair under pressure resists with its mass over the square of
+/// the step: a tool that yields more easily than that oscillates with growing amplitude (the added-mass instability of explicit
+/// coupling, Causin, Gerbeau and Nobile 2005). It is damped by this multiple of the hair's momentum.
 const OF_ADDED_MASS: f64 = 2.0;
 
 /// Springs and dampers between the device and the proxy over an update.
@@ -29,7 +32,7 @@ pub(super) struct Coupling {
     pub compliance: Compliance,
 }
 
-/// How far the proxy goes for a force at it within one update: 1/(k + c/dt).
+/// Displacement of the proxy per force on it within one update: 1/(k + c/dt).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Compliance {
     /// m/N.
@@ -49,7 +52,7 @@ impl Coupling {
         Self { damping, angular_damping, dt, compliance }
     }
 
-    /// Where the proxy would be at the end of the update if nothing but the coupling acted on it: implicit Euler on k (x − xd) + c (v − vd) = 0.
+    /// Position of the proxy at the end of the update under the coupling alone: implicit Euler on k (x − xd) + c (v − vd) = 0.
     pub fn free_proxy(&self, proxy: &Frame, device: &Frame, [velocity, spin]: [Vector3<f64>; 2]) -> Frame {
         let Self { damping, angular_damping, dt, compliance } = self;
         let off = proxy.origin - device.origin;
@@ -60,7 +63,7 @@ impl Coupling {
     }
 }
 
-/// A frame that is moved and turned a little, in world axes.
+/// A frame with a small displacement and rotation, in world axes.
 pub(super) fn moved(frame: &Frame, by: Vector3<f64>, turn: Vector3<f64>) -> Frame {
     Frame { origin: frame.origin + by, rotation: from_rotation_vector(turn) * frame.rotation }
 }

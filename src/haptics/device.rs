@@ -1,4 +1,4 @@
-//! The side of the device's thread: a pose in, a force out, in bounded time, without waiting, without allocating.
+//! The device's thread: takes a pose and returns a force, in bounded time, without waiting or allocating.
 
 use nalgebra::Vector3;
 
@@ -14,46 +14,46 @@ use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::solver::report::Wrench;
 
-/// Numbers of the message with which the device tells the simulation where it is.
+/// Numbers of the message with the device's pose.
 pub(super) const POSE_NUMBERS: usize = 8;
 
-/// A hand-over's force goes from the model before to the new one within this part of the model's seconds.
+/// At a hand-over the force changes from the old model's to the new one's within this fraction of the model's seconds.
 const BLEND: f64 = 0.5;
 
-/// How an update went.
+/// The result of an update.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct HapticState {
-    /// Where the tool's handle is: the device's pose but for what the virtual coupling gives way.
+    /// Pose of the tool's handle: the device's pose except for the yielding of the virtual coupling.
     pub proxy: Frame,
-    /// The force before it was limited in any way: what the hair does to the tool.
+    /// The force before any limit: what the hair does to the tool.
     pub contact: Wrench,
-    /// Energy that the hand gave so far, J.
+    /// Energy from the hand so far, J.
     pub energy_given: f64,
-    /// Energy that it received so far, J.
+    /// Energy to the hand so far, J.
     pub energy_got: f64,
-    /// The largest excess of what it received over what it gave so far, J: at most the allowance.
+    /// The largest excess of energy received by the hand over energy given so far, J: at most the allowance.
     pub energy_excess: f64,
-    /// Seconds since the device had the pose that the present local model's step was taken with; 0 before the first.
+    /// Seconds since the device had the pose of the current local model's step; 0 before the first.
     pub model_age: f64,
     /// Local models so far.
     pub models: u64,
-    /// Touches of the present one.
+    /// Contacts of the current one.
     pub touches: u32,
-    /// Those that press.
+    /// Those under pressure.
     pub pressing: u32,
-    /// Pressing ones that it has no room for; their forces stay as the simulation had them.
+    /// Contacts under pressure beyond the model's capacity; their forces stay as in the simulation.
     pub left_out: u32,
-    /// Sweeps of this update.
+    /// Sweeps in this update.
     pub sweeps: u32,
-    /// By how much the last of them changed a force, as a part of the largest.
+    /// The change of a force in the last of them, relative to the largest force.
     pub change: f64,
-    /// The force or the torque was cut to the largest that is allowed.
+    /// Whether the force or the torque was limited to its maximum.
     pub clamped: bool,
-    /// It changed as fast as is allowed.
+    /// Whether it changed at the maximum rate.
     pub rate_limited: bool,
-    /// It was made smaller for passivity.
+    /// Whether it was reduced for passivity.
     pub passivity_limited: bool,
-    /// The local model is older than is allowed: the force fades.
+    /// Whether the local model is too old, so that the force fades.
     pub stale: bool,
 }
 
@@ -66,15 +66,15 @@ pub struct Device {
     model: LocalModel,
     forces: TouchForces,
     passivity: Passivity,
-    /// The device's time, s, since the first update.
+    /// The device's time since the first update, s.
     time: f64,
-    /// Where device and proxy were in the last update; none before the first.
+    /// The poses of device and proxy in the last update; `None` before the first.
     last: Option<(Frame, Frame)>,
-    /// What went out then.
+    /// The output then.
     out: Wrench,
-    /// Before it was limited.
+    /// Before limits.
     raw: Wrench,
-    /// From the new model's force to the last one's, at the hand-over, and which part of the way is left.
+    /// The difference of the new model's force from the old one's at the hand-over, and the fraction of it that remains.
     blend: (Wrench, f64),
     count: u64,
     handle: Frame,
@@ -99,18 +99,18 @@ impl Device {
         }
     }
 
-    /// Where the tool's handle was when the object was made.
+    /// The pose of the tool's handle when the object was created.
     pub fn first_pose(&self) -> Frame {
         self.handle
     }
 
-    /// Tells where the device is now and how it moves (m/s, rad/s, world axes), `dt` seconds after the last update, and gets the force (N) and the
-    /// torque about the handle's origin (N·m) that the hand is to feel. Waits for nothing and allocates nothing; its time is bounded by the options'
-    /// touches and sweeps.
+    /// Passes the device's current pose and velocity (m/s, rad/s, world axes), `dt` seconds after the last update, and returns
+    /// the force (N) and the torque about the handle's origin (N·m) for the hand. Waits for nothing and allocates nothing; the
+    /// options' contacts and sweeps bound its time.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a number that is not finite, or a `dt` that is not above zero: then the last
-    /// force goes on to hold.
+    /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a number that is not finite, or a `dt` that is not
+    /// above zero; the last force then continues.
     pub fn update(&mut self, pose: &Frame, velocity: Vector3<f64>, spin: Vector3<f64>, dt: f64) -> Result<(Wrench, HapticState)> {
         for axis in 0..3 {
             check_finite(|| format!("pose.origin[{axis}]"), pose.origin[axis])?;
@@ -168,7 +168,7 @@ impl Device {
         true
     }
 
-    /// What the hair does to the tool now, if it would be at `free` without that.
+    /// What the hair does to the tool now, if the tool would otherwise be at `free`.
     fn answer(&mut self, free: &Frame, [velocity, spin]: [Vector3<f64>; 2], compliance: Compliance) -> Solved {
         if self.count == 0 {
             return Solved::default();
@@ -189,7 +189,7 @@ impl Device {
         }
     }
 
-    /// A hand-over's force: from what the model before came to it goes to the new one's within a part of the model's seconds.
+    /// Blends forces at a hand-over: from the old model's to the new one's within a fraction of the model's seconds.
     fn blended(&mut self, wrench: Wrench, is_new: bool, dt: f64) -> Wrench {
         if self.options.mode == Mode::Direct {
             return wrench;
@@ -203,7 +203,7 @@ impl Device {
         Wrench { force: wrench.force + off.force * *left, torque: wrench.torque + off.torque * *left }
     }
 
-    /// What comes from a model that is too old.
+    /// Fades the force of a model that is too old.
     fn fade(&self, wrench: &mut Wrench, state: &mut HapticState) {
         if self.count == 0 {
             return;
@@ -230,13 +230,13 @@ impl Device {
     }
 }
 
-/// Brings a vector to within `most` of another one. True if it was not.
+/// Limits a vector to a distance of `most` from another one. True if it had to.
 fn toward(vector: &mut Vector3<f64>, from: Vector3<f64>, most: f64) -> bool {
-    let way = *vector - from;
-    let size = way.norm();
+    let offset = *vector - from;
+    let size = offset.norm();
     if size <= most {
         return false;
     }
-    *vector = from + way * (most / size);
+    *vector = from + offset * (most / size);
     true
 }

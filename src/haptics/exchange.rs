@@ -1,13 +1,13 @@
-//! A triple buffer: one thread publishes, another takes the newest, and neither ever waits for the other.
+//! A triple buffer: one thread publishes, another takes the newest message, and neither ever waits for the other.
 //!
-//! There are three slots. The publisher owns one, the taker another, and an atomic number says which is the third and whether it is news. To publish,
-//! or to take, is one swap of that number: nobody owns a slot that somebody else writes. A slot is numbers of 64 bits, atomics themselves, so that
-//! there is nothing in it that the compiler has to be promised.
+//! There are three slots. The publisher owns one and the taker another; an atomic number holds the third and whether it is new.
+//! Publishing and taking are one swap of that number: nobody owns a slot that somebody else writes. A slot consists of 64-bit
+//! atomics, so no unsafe code is necessary.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
 
-/// Set in the third slot's number while nobody has taken what is in it.
+/// Set in the third slot's number while its message is untaken.
 const NEWS: u8 = 4;
 
 #[derive(Debug)]
@@ -30,7 +30,7 @@ pub struct Taker {
     own: u8,
 }
 
-/// Both sides of a buffer for messages of up to `capacity` numbers. All memory that it ever needs is allocated here.
+/// Both sides of a buffer for messages of up to `capacity` numbers. Allocates all memory that it ever needs.
 pub fn exchange(capacity: usize) -> (Publisher, Taker) {
     let slot = || (0..capacity).map(|_| AtomicU64::new(0)).collect();
     let shared = Arc::new(Slots { slots: [slot(), slot(), slot()], third: AtomicU8::new(2) });
@@ -38,17 +38,18 @@ pub fn exchange(capacity: usize) -> (Publisher, Taker) {
 }
 
 impl Publisher {
-    /// Publishes a message that `write` writes; what of it nobody has taken yet is replaced. Numbers that `write` does not write are those of some
-    /// message before.
+    /// Publishes a message that `write` writes, and replaces one that is untaken. Numbers that `write` does not write come from
+    /// an earlier message.
     pub fn publish(&mut self, write: impl FnOnce(&mut Writer)) {
         write(&mut Writer { slot: &self.shared.slots[usize::from(self.own)], at: 0 });
-        // Release: the slot's numbers are there for who takes it. Acquire: who had the slot that comes back is done with it.
+        // Release: the slot's numbers are visible to the taker. Acquire: the previous owner of the slot that comes back has
+        // finished with it.
         self.own = self.shared.third.swap(self.own | NEWS, Ordering::AcqRel) & !NEWS;
     }
 }
 
 impl Taker {
-    /// Takes the newest message, if there is one that was not taken, and has `read` read it.
+    /// Takes the newest message, if there is an untaken one, and lets `read` read it.
     pub fn take<R>(&mut self, read: impl FnOnce(&mut Reader) -> R) -> Option<R> {
         if self.shared.third.load(Ordering::Relaxed) & NEWS == 0 {
             return None;
@@ -58,7 +59,7 @@ impl Taker {
     }
 }
 
-/// Writes a message, number by number. What does not fit is not written.
+/// Writes a message, number by number. Drops what does not fit.
 #[derive(Debug)]
 pub struct Writer<'a> {
     slot: &'a [AtomicU64],
@@ -86,7 +87,7 @@ impl Writer<'_> {
     }
 }
 
-/// Reads a message, number by number, in the order in which it was written.
+/// Reads a message, number by number, in the order of writing.
 #[derive(Debug)]
 pub struct Reader<'a> {
     slot: &'a [AtomicU64],

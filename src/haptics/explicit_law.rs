@@ -1,14 +1,15 @@
-//! The explicit force of Bonanni and Kmoch (2008, section 3.3): F = β ṫ⊥ + f(γ) ṫ∥, with the tool's velocity ṫ split across and along the tangent of the
-//! strand that it touches. β goes with the bending stiffness, f with the internal friction; here both are those of a cantilever of the strand's length L,
-//! β = τ 3 EI/L³ and f = φ 3 γ/L³.
+//! The explicit force of Bonanni and Kmoch (2008, section 3.3): F = β ṫ⊥ + f(γ) ṫ∥.
 //!
-//! It is linear in the tool's velocity: all that the device needs of any number of strands is one symmetric matrix.
+//! The tool's velocity ṫ is split across and along the tangent of the strand in contact. β scales with the bending stiffness, f
+//! with the internal friction. Here both are those of a cantilever of the strand's length L: β = τ 3 EI/L³ and f = φ 3 γ/L³.
+//!
+//! The force is linear in the tool's velocity: one symmetric matrix represents any number of strands.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::solver::report::Wrench;
 
-/// How a tool resists to being moved: what hair does to it is minus this times its velocities, about the handle's origin.
+/// The resistance to a tool's motion: hair acts on it with minus this times its velocities, about the handle's origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Resistance {
     /// Force by velocity, N·s/m.
@@ -20,10 +21,11 @@ pub struct Resistance {
 }
 
 impl Resistance {
-    /// Adds that of a strand with this tangent (unit), whose touch is at `arm` (m) from the handle's origin: `across` and `along` it, N·s/m.
+    /// Adds a strand with this tangent (unit) and a contact at `arm` (m) from the handle's origin: `across` and `along` it,
+    /// N·s/m.
     pub fn add(&mut self, tangent: &Vector3<f64>, arm: &Vector3<f64>, across: f64, along: f64) {
         let at_touch = Matrix3::identity() * across + tangent * tangent.transpose() * (along - across);
-        // The tool's velocity there is v − [arm]× ω.
+        // The tool's velocity at the contact is v − [arm]× ω.
         let arm = arm.cross_matrix();
         let by_spin = -at_touch * arm;
         self.linear += at_touch;
@@ -31,7 +33,7 @@ impl Resistance {
         self.angular += arm * by_spin;
     }
 
-    /// What hair does to a tool that moves so, m/s and rad/s.
+    /// The action of hair on a tool with this velocity, m/s and rad/s.
     pub fn wrench(&self, velocity: &Vector3<f64>, spin: &Vector3<f64>) -> Wrench {
         Wrench {
             force: -(self.linear * velocity + self.coupling * spin),

@@ -1,4 +1,5 @@
-//! Where a strand that goes straight through a point comes nearest to a body of the tool: as the tool goes on, the strand slides along it and around it.
+//! The nearest place of a tool's body to a straight strand through a point: as the tool moves on, the strand slides along it and
+//! around it.
 
 use std::sync::Arc;
 
@@ -10,7 +11,7 @@ use crate::math::frame::Frame;
 /// A body of the tool.
 #[derive(Debug, Clone)]
 pub(super) struct Tooth {
-    /// Where it is in the handle's frame.
+    /// Its pose in the handle's frame.
     pub place: Frame,
     pub shape: Arc<Shape>,
 }
@@ -26,11 +27,12 @@ pub(super) struct Near {
     pub distance: f64,
 }
 
-/// Surfaces further than this are not looked at, m.
+/// Surfaces farther away than this are ignored, m.
 const WITHIN: f64 = 0.02;
-/// The strand is straight for so far from the point, m.
+/// The strand counts as straight within this distance of the point, m.
 const STRAIGHT: f64 = 0.01;
-/// How far along the strand is looked first, for a distance that falls as steeply as it can, m, how often more, and how level the distance then is.
+/// The first step along the strand for the steepest possible fall of the distance, m; the number of further steps; and the slope
+/// that counts as level.
 const FIRST: f64 = 5e-4;
 const TRIES: usize = 12;
 const LEVEL: f64 = 0.01;
@@ -38,8 +40,8 @@ const LEVEL: f64 = 0.01;
 const STEEP: f64 = 0.1;
 
 impl Tooth {
-    /// The surface nearest to the straight line through `at` along `tangent` (unit) with the handle at `handle`; the line reaches so far (m)
-    /// back and ahead. None where it is far, or nearest beyond the line's ends.
+    /// The surface nearest to the straight line through `at` along `tangent` (unit) with the handle at `handle`; the line reaches
+    /// this far (m) back and ahead. `None` if it is far away, or nearest beyond the line's ends.
     pub fn nearest(&self, handle: &Frame, at: Vector3<f64>, tangent: Vector3<f64>, reach: [f64; 2]) -> Option<Near> {
         let frame = handle.compose(&self.place);
         let back = frame.rotation.inverse();
@@ -55,12 +57,12 @@ impl Tooth {
             let Some(found) = self.shape.closest(at + tangent * next, WITHIN) else { break };
             let found_slope = found.normal.dot(&tangent);
             if found.distance > best.distance {
-                // Past it, by far.
+                // Far past it.
                 step *= 0.25;
                 continue;
             }
             let change = found_slope - slope;
-            // Where the distance bends upward: to where it is level, if that is no leap.
+            // Where the distance curves upward: step to where it is level, unless that is far.
             let bend = change * (next - along);
             step = if bend > 0.0 {
                 (-found_slope * (next - along) / change).clamp(-3.0 * step.abs(), 3.0 * step.abs())
@@ -88,7 +90,7 @@ mod tests {
         let tooth = Tooth { place: Frame { origin: Vector3::y() * 0.01, ..Frame::default() }, shape };
         let handle = Frame { origin: Vector3::z() * 0.3, ..Frame::default() };
         for off in [-4e-3, -1e-3, 0.0, 3e-4, 2e-3, 6e-3] {
-            // Along z, 0.2 mm before the tooth in y.
+            // Along z, 0.2 mm in front of the tooth in y.
             let at = Vector3::new(0.02, 0.01 - 1.2e-3, 0.3 + off);
             let near = tooth.nearest(&handle, at, Vector3::z(), [0.02; 2]).unwrap();
             assert!((near.distance - 2e-4).abs() < 2e-5, "{off}: {near:?}");

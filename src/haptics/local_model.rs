@@ -1,4 +1,4 @@
-//! What the simulation hands over after a step: what touches the tool, and how it answers until the next one.
+//! The local model that the simulation hands over after a step: the contacts of the tool, and their response until the next step.
 
 use std::ops::Range;
 
@@ -13,53 +13,53 @@ use crate::math::frame::Frame;
 use crate::solver::report::Wrench;
 use crate::solver::touch_compliance::{BodyTouch, TouchCompliance, of_strands};
 
-/// Most touches of a strand in a local model.
-const MOST_OF_STRAND: usize = 16;
-/// Numbers of a message beside touches, and a touch's.
+/// Most contacts per strand in a local model.
+const MAX_PER_STRAND: usize = 16;
+/// Numbers of a message beside contacts, and per contact.
 const HEADER: usize = 64;
 const OF_TOUCH: usize = 28;
 
-/// Whether a message tells touches.
+/// Whether a message has contacts.
 pub(super) fn has_touches(options: &HapticOptions) -> bool {
     options.mode == Mode::HandOver && options.force_law == ForceLaw::Contact
 }
 
-/// Numbers that a message may have.
+/// Capacity of a message.
 pub(super) fn capacity(options: &HapticOptions) -> usize {
     let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
-    HEADER + touches * (OF_TOUCH + 9 * MOST_OF_STRAND)
+    HEADER + touches * (OF_TOUCH + 9 * MAX_PER_STRAND)
 }
 
-/// What a message says.
+/// The contents of a message.
 #[derive(Debug)]
 pub(super) struct LocalModel {
-    /// The device's own time at which it had the pose that the step was taken with, s.
+    /// The device's time at which it had the pose of the step, s.
     pub time: f64,
-    /// The time that `moved` and `response` are for, s.
+    /// The time span of `moved` and `response`, s.
     pub seconds: f64,
-    /// The handle's pose when the step ended.
+    /// The handle's pose at the end of the step.
     pub handle: Frame,
-    /// What all strands did to the tool in it, about the handle's origin.
+    /// The action of all strands on the tool in it, about the handle's origin.
     pub wrench: Wrench,
-    /// The part of it that comes from touches that there is no room for in the model.
+    /// The part of it from contacts beyond the model's capacity.
     pub rest: Wrench,
-    /// Touches that press.
+    /// Contacts under pressure.
     pub pressing: u32,
-    /// By the explicit law, what those do to the tool.
+    /// For the explicit law, their action on the tool.
     pub resistance: Resistance,
-    /// In direct mode, of the strands that touch the tool; none where their compliance is told.
+    /// In direct mode, the hair in contact with the tool; zero where the message has the strands' compliance.
     pub added: AddedMass,
-    /// Pressing touches that there was no room for.
+    /// Contacts under pressure beyond the capacity.
     pub left_out: u32,
     pub touches: Vec<BodyTouch>,
-    /// Touches of each strand.
+    /// Contacts of each strand.
     pub counts: Vec<usize>,
     /// See [`TouchCompliance::response`].
     pub response: Vec<f64>,
 }
 
 impl LocalModel {
-    /// One with memory for all that may ever come.
+    /// A model with memory for the largest message.
     pub fn new(options: &HapticOptions) -> Self {
         let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
         Self {
@@ -74,16 +74,16 @@ impl LocalModel {
             left_out: 0,
             touches: Vec::with_capacity(touches),
             counts: Vec::with_capacity(touches),
-            response: Vec::with_capacity(touches * 9 * MOST_OF_STRAND),
+            response: Vec::with_capacity(touches * 9 * MAX_PER_STRAND),
         }
     }
 
-    /// The touches of each strand and its matrix.
+    /// The contacts of each strand, and its matrix.
     pub fn strands(&self) -> impl Iterator<Item = (Range<usize>, &[f64])> {
         of_strands(self.counts.iter().copied()).map(|[touches, numbers]| (touches, &self.response[numbers]))
     }
 
-    /// Reads a message as [`Choice::write`] wrote it. Allocates nothing.
+    /// Reads a message from [`Choice::write`]. Allocates nothing.
     pub fn read(&mut self, message: &mut Reader) {
         (self.time, self.seconds) = (message.number(), message.number());
         self.handle = read_frame(message);
@@ -118,18 +118,18 @@ impl LocalModel {
     }
 }
 
-/// What of the touches goes into a message: those that press hardest, then those that are nearest.
+/// The contacts to put into a message: those under the highest force, then the nearest.
 #[derive(Debug, Default)]
 pub(super) struct Choice {
     order: Vec<u32>,
     is_chosen: Vec<bool>,
-    /// By strand.
+    /// Per strand.
     counts: Vec<usize>,
     strand_of: Vec<u32>,
 }
 
 impl Choice {
-    /// Chooses among those that press and those that `may_close`. Gives how many pressing ones there is no room for.
+    /// Chooses among contacts under pressure and those that `may_close`. Returns how many under pressure exceed the capacity.
     pub fn choose(&mut self, from: &TouchCompliance, most: usize, may_close: impl Fn(&BodyTouch) -> bool) -> u32 {
         let touches = &from.touches;
         self.order.clear();
@@ -149,7 +149,7 @@ impl Choice {
         let (mut left, mut left_out) = (most, 0);
         for k in &self.order {
             let (k, strand) = (*k as usize, self.strand_of[*k as usize] as usize);
-            if left > 0 && self.counts[strand] < MOST_OF_STRAND {
+            if left > 0 && self.counts[strand] < MAX_PER_STRAND {
                 self.is_chosen[k] = true;
                 self.counts[strand] += 1;
                 left -= 1;
@@ -160,13 +160,13 @@ impl Choice {
         left_out
     }
 
-    /// Whether a touch is.
+    /// Whether a contact is chosen.
     pub fn is_chosen(&self, touch: usize) -> bool {
         self.is_chosen[touch]
     }
 }
 
-/// Writes touches and their compliance.
+/// Writes contacts and their compliance.
 pub(super) fn write(from: &TouchCompliance, message: &mut Writer) {
     message.count(from.counts.len());
     message.count(from.touches.len());

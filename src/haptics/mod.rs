@@ -1,20 +1,21 @@
 //! Force feedback: a tool in a hand, through a haptic device, in simulated hair. See `docs/theory/haptics.md`.
 //!
-//! Two sides share two triple buffers and nothing else. [`Tool`] is the simulation's: before a step it sends the tool's bodies to where the device has
-//! them, after it it publishes what touches them. [`Device`] is that of the device's thread: it takes what is newest and answers with a force.
+//! Two sides share two triple buffers and nothing else. [`Tool`] belongs to the simulation: before a step it sends the tool's
+//! bodies to the device's pose, and after the step it publishes their contacts. [`Device`] belongs to the device's thread: it
+//! takes the newest message and returns a force.
 //!
 //! Files:
 //!
-//! - `coupling.rs`: The virtual coupling between the device and the tool in the simulation (Colgate, Stanley and Brown 1995).
-//! - `device.rs`: The side of the device's thread: a pose in, a force out, in bounded time, without waiting, without allocating.
-//! - `exchange.rs`: A triple buffer: one thread publishes, another takes the newest, and neither ever waits for the other.
-//! - `explicit_law.rs`: The explicit force of Bonanni and Kmoch (2008, section 3.3).
-//! - `geometry.rs`: Where a strand that goes straight through a point comes nearest to a body of the tool: as the tool goes on, the strand slides along it and around it.
-//! - `local_model.rs`: What the simulation hands over after a step: what touches the tool, and how it answers until the next one.
-//! - `options.rs`: What a haptic object is made from.
-//! - `passivity.rs`: Passivity, observed and kept (Hannaford and Ryu 2002).
-//! - `tool.rs`: The simulation's side: bodies that go where the device has them, and what touches them, handed over after every step.
-//! - `touch_forces.rs`: The device's own solve: Signorini's and Coulomb's laws at the touches of a local model, with the tool where the hand has it now.
+//! - `coupling.rs`: The virtual coupling between the device and the tool in the simulation: a spring and a damper (Colgate, Stanley and Brown 1995).
+//! - `device.rs`: The device's thread: takes a pose and returns a force, in bounded time, without waiting or allocating.
+//! - `exchange.rs`: A triple buffer: one thread publishes, another takes the newest message, and neither ever waits for the other.
+//! - `explicit_law.rs`: The explicit force of Bonanni and Kmoch (2008, section 3.3): F = β ṫ⊥ + f(γ) ṫ∥.
+//! - `geometry.rs`: The nearest place of a tool's body to a straight strand through a point: as the tool moves on, the strand slides along it and around it.
+//! - `local_model.rs`: The local model that the simulation hands over after a step: the contacts of the tool, and their response until the next step.
+//! - `options.rs`: Options of a haptic object.
+//! - `passivity.rs`: Passivity observer and controller (Hannaford and Ryu 2002): bounds the energy that the device gives to the hand.
+//! - `tool.rs`: The simulation's side: moves the tool's bodies with the device, and publishes their contacts after every step.
+//! - `touch_forces.rs`: The device's own contact solve: Signorini's and Coulomb's laws at the contacts of a local model, with the tool where the hand has it now.
 
 mod coupling;
 pub mod device;
@@ -36,12 +37,13 @@ use crate::solver::Solver;
 use crate::solver::id::BodyId;
 use exchange::exchange;
 
-/// A haptic object: `bodies` of a solver, which move as one rigid tool from where they are now, in the hand.
+/// Creates a haptic object: `bodies` of a solver, which from now on move with the hand as one rigid tool.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) naming `options.field`, or `bodies` where there are none or one comes twice;
-/// [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`;
-/// [`Error::Unsupported`](crate::error::Error::Unsupported) for [`Mode::HandOver`] by [`ForceLaw::Contact`] with a penalty model of contact.
+/// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) naming `options.field`, or `bodies` if it is empty or repeats
+/// one; [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`;
+/// [`Error::Unsupported`](crate::error::Error::Unsupported) for [`Mode::HandOver`] by [`ForceLaw::Contact`] with a penalty model
+/// of contact.
 pub fn haptic(solver: &Solver, bodies: &[BodyId], options: &HapticOptions) -> Result<(Tool, Device)> {
     options.check("options")?;
     let (poses, newest_pose) = exchange(device::POSE_NUMBERS);

@@ -1,29 +1,30 @@
-//! What a haptic object is made from.
+//! Options of a haptic object.
 
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 
-/// Where the force on the hand comes from.
+/// The source of the force on the hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u32)]
 pub enum Mode {
-    /// The solver steps at its own rate and hands a local model of what touches the tool over to the device's thread, which solves contact anew with
-    /// the device's newest pose.
+    /// The solver steps at its own rate and hands a local model of the tool's contacts to the device's thread, which solves
+    /// contact again with the device's newest pose.
     #[default]
     HandOver = 1,
     /// The solver steps at the device's rate: the force is that of its last step.
     Direct = 2,
 }
 
-/// By which law hair acts on the tool.
+/// The force law between hair and tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u32)]
 pub enum ForceLaw {
-    /// Signorini's and Coulomb's laws at every touch: the solver's own forces.
+    /// Signorini's and Coulomb's laws at every contact: the solver's own forces.
     #[default]
     Contact = 1,
-    /// The explicit formula of Bonanni and Kmoch (2008): at each touch that presses a force against the tool's velocity, by the strand's bending stiffness
-    /// across it and by its internal friction along it. Cheap, passive by itself, and blind to what the hair does: nothing is felt at rest.
+    /// The explicit formula of Bonanni and Kmoch (2008): each contact under pressure resists the tool's velocity, by the strand's
+    /// bending stiffness across it and by its internal friction along it. Cheap and passive by itself, but independent of the
+    /// hair's motion, and zero at rest.
     Explicit = 2,
 }
 
@@ -53,15 +54,15 @@ pub enum ForceLaw {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HapticOptions {
-    /// Where the force comes from.
+    /// The source of the force.
     pub mode: Mode,
-    /// By which law hair acts on the tool.
+    /// The force law between hair and tool.
     pub force_law: ForceLaw,
     /// [`ForceLaw::Explicit`]: the time τ in β = τ 3 EI/L³, s; zero or above.
     pub explicit_time: f64,
     /// [`ForceLaw::Explicit`]: the number φ in f = φ 3 γ/L³; zero or above.
     pub explicit_friction: f64,
-    /// The device's frame in the axes of the first body: what the device's pose is the pose of.
+    /// The device's frame in the axes of the first body: the frame whose pose the device reports.
     pub handle: Frame,
     /// Stiffness of the virtual coupling between device and tool, N/m; above zero.
     pub stiffness: f64,
@@ -75,23 +76,23 @@ pub struct HapticOptions {
     pub max_force: f64,
     /// The largest torque, N·m; above zero.
     pub max_torque: f64,
-    /// How fast the force changes at most, N/s; above zero.
+    /// The largest rate of change of the force, N/s; above zero.
     pub max_force_rate: f64,
-    /// How fast the torque changes at most, N·m/s; above zero.
+    /// The largest rate of change of the torque, N·m/s; above zero.
     pub max_torque_rate: f64,
-    /// How much more energy the hand may ever have got than it gave, J; above zero.
+    /// The largest permitted excess of energy to the hand over energy from it, J; above zero.
     pub energy_allowance: f64,
-    /// The most that it is credited with for what it gave, J; zero or above.
+    /// The most credit for energy from the hand, J; zero or above.
     pub max_energy_credit: f64,
-    /// How hard a hand accelerates the device at most, m/s²: what may happen in an update is reckoned by it; zero or above.
+    /// The largest acceleration of the device by a hand, m/s²: a bound on what may happen in an update; zero or above.
     pub max_acceleration: f64,
-    /// The same of turning, rad/s²; zero or above.
+    /// The same for rotation, rad/s²; zero or above.
     pub max_angular_acceleration: f64,
-    /// Most touches of a local model; 1 to 4096.
+    /// Most contacts of a local model; 1 to 4096.
     pub max_touches: u32,
-    /// Most sweeps over them in an update; 1 to 1000.
+    /// Most sweeps over them per update; 1 to 1000.
     pub max_sweeps: u32,
-    /// How old a local model may be, s; the force fades away within as long after that; above zero.
+    /// The largest age of a local model, s; beyond it the force fades away within the same time; above zero.
     pub max_age: f64,
 }
 
@@ -123,7 +124,7 @@ impl Default for HapticOptions {
 }
 
 impl HapticOptions {
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.

@@ -1,34 +1,37 @@
-//! Passivity, observed and kept (Hannaford and Ryu 2002): what the device does to the hand is summed up exactly, force as it was times way as it was, and
-//! no force goes out that could give the hand more than it gave, and an allowance.
+//! Passivity observer and controller (Hannaford and Ryu 2002): bounds the energy that the device gives to the hand.
 //!
-//! The observer alone is late by one update, since a force works over the way that the hand goes after it. So what goes out is bounded beforehand: over
-//! the next update the hand goes v·dt and, however it accelerates, no further from there than 1.5·a·dt² (the velocity told may be an update old). Of
-//! a force that could do too much over that, first the part that drives the hand is taken away, as a damper would, then all of it is made smaller.
+//! It sums the device's work on the hand exactly, output force times motion, and permits no force that could give the hand more
+//! than it gave plus an allowance.
+//!
+//! The observer alone is late by one update, since a force works over the motion that follows it. So the output is bounded in
+//! advance: over the next update the hand moves by v·dt and, however it accelerates, no farther from there than 1.5·a·dt² (the
+//! reported velocity may be an update old). Of a force that could do too much work over that, first the part that drives the hand
+//! is removed, as a damper would, and then all of it is scaled down.
 
 use nalgebra::Vector3;
 
 use super::options::HapticOptions;
 use crate::solver::report::Wrench;
 
-/// The account.
+/// The energy account.
 #[derive(Debug, Clone, Copy)]
 pub struct Passivity {
     allowance: f64,
     most_credit: f64,
     /// m/s², rad/s².
     accelerations: [f64; 2],
-    /// What the hand gave less what it got, no more than the most credit, J.
+    /// The hand's output minus its input, limited to the largest credit, J.
     balance: f64,
-    /// What it gave so far, J.
+    /// Energy from the hand so far, J.
     pub given: f64,
-    /// What it got so far, J.
+    /// Energy to the hand so far, J.
     pub got: f64,
-    /// The most that it ever had got beyond what it gave, J.
+    /// The largest excess so far of energy to the hand over energy from it, J.
     pub worst: f64,
 }
 
 impl Passivity {
-    /// An account in balance.
+    /// An empty account.
     pub fn new(options: &HapticOptions) -> Self {
         Self {
             allowance: options.energy_allowance,
@@ -41,7 +44,7 @@ impl Passivity {
         }
     }
 
-    /// Counts the work of the wrench that was out while the hand moved (m) and turned (rad).
+    /// Counts the work of the output wrench while the hand moved (m) and turned (rad).
     pub fn observe(&mut self, wrench: &Wrench, moved: Vector3<f64>, turned: Vector3<f64>) {
         let work = wrench.force.dot(&moved) + wrench.torque.dot(&turned);
         if work > 0.0 {
@@ -53,7 +56,7 @@ impl Passivity {
         self.worst = self.worst.max(self.got - self.given);
     }
 
-    /// What a wrench may do to the hand over the next `dt` seconds at most, J.
+    /// The most work of a wrench on the hand over the next `dt` seconds, J.
     fn most_work(&self, wrench: &Wrench, [velocity, spin]: [Vector3<f64>; 2], dt: f64) -> f64 {
         let off = self.accelerations.map(|acceleration| 1.5 * acceleration * dt * dt);
         (wrench.force.dot(&velocity) + wrench.torque.dot(&spin)) * dt
@@ -61,7 +64,7 @@ impl Passivity {
             + wrench.torque.norm() * off[1]
     }
 
-    /// Takes from a wrench what could give the hand too much. True if something was.
+    /// Removes from a wrench what could give the hand too much. True if it did.
     pub fn limit(&self, wrench: &mut Wrench, velocities: [Vector3<f64>; 2], dt: f64) -> bool {
         let budget = self.balance + self.allowance;
         let most = self.most_work(wrench, velocities, dt);
@@ -81,7 +84,7 @@ impl Passivity {
             let part = budget / least;
             *wrench = Wrench { force: force * part, torque: torque * part };
         } else {
-            // It is convex between the two: no more than on the straight line.
+            // Convex between the two: no more than on the straight line.
             let part = (budget - least) / (most - least);
             wrench.force = force + (wrench.force - force) * part;
             wrench.torque = torque + (wrench.torque - torque) * part;
@@ -90,7 +93,7 @@ impl Passivity {
     }
 }
 
-/// A force without the part that drives along a velocity.
+/// A force without the part that drives a velocity.
 fn without_drive(force: Vector3<f64>, velocity: Vector3<f64>) -> Vector3<f64> {
     let (power, square) = (force.dot(&velocity), velocity.norm_squared());
     if power > 0.0 { force - velocity * (power / square) } else { force }

@@ -1,4 +1,4 @@
-//! The simulation's side: bodies that go where the device has them, and what touches them, handed over after every step.
+//! The simulation's side: moves the tool's bodies with the device, and publishes their contacts after every step.
 
 use nalgebra::Vector3;
 
@@ -17,12 +17,13 @@ use crate::solver::id::BodyId;
 use crate::solver::report::Wrench;
 use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 
-/// How near a strand is told to the device at least, m, and by which multiple of the tool's way in the last step.
-/// What is further away is left out unless the tool's way closes the gap, or would if it turned to the strand by this sine.
+/// The least distance, m, within which strands are reported to the device, and the multiple of the tool's motion in the last
+/// step. Farther ones are left out unless the tool's motion closes the gap, or would do so if it turned towards the strand by
+/// this sine.
 const NEAR: f64 = 1e-3;
-const WAYS: f64 = 2.0;
+const TRAVEL_FACTOR: f64 = 2.0;
 const SIDEWAYS: f64 = 0.25;
-/// What is left after a step of the mass of strands that touch the tool no more.
+/// Decay per step of the mass of strands that have left the tool.
 const FORGETS: f64 = 0.95;
 
 /// The simulation's side of a haptic object.
@@ -30,20 +31,20 @@ const FORGETS: f64 = 0.95;
 pub struct Tool {
     options: HapticOptions,
     bodies: Vec<BodyId>,
-    /// Where the bodies are in the handle's frame.
+    /// Poses of the bodies in the handle's frame.
     places: Vec<Frame>,
-    /// How far something of each is from its frame's origin at most, m.
+    /// Largest distance of each body's points from its frame's origin, m.
     reaches: Vec<f64>,
     poses: Taker,
     models: Publisher,
-    /// The handle's pose, and the one before the last step.
+    /// The handle's pose, and its pose before the last step.
     handle: [Frame; 2],
-    /// The device's time at which it had that pose; none before it has told any.
+    /// The device's time of that pose; `None` before the device's first report.
     time: Option<f64>,
     seconds: f64,
     compliance: TouchCompliance,
     choice: Choice,
-    /// Direct mode's.
+    /// For direct mode.
     added: AddedMass,
 }
 
@@ -95,13 +96,13 @@ impl Tool {
         })
     }
 
-    /// What the device knows of the tool's bodies.
+    /// The device's copy of the tool's bodies.
     pub(super) fn teeth(&self, solver: &Solver) -> Result<Vec<Tooth>> {
         let tooth = |(id, place): (&BodyId, &Frame)| Ok(Tooth { place: *place, shape: solver.body(*id)?.shape.clone() });
         self.bodies.iter().zip(&self.places).map(tooth).collect()
     }
 
-    /// Where the tool's handle is in the simulation.
+    /// Pose of the tool's handle in the simulation.
     pub fn handle(&self) -> Frame {
         self.handle[0]
     }
@@ -111,12 +112,12 @@ impl Tool {
         &self.bodies
     }
 
-    /// Before a step of `dt` seconds in all: sends the bodies to where the device has them now. The device's first pose is where they are put at once,
-    /// without sweeping what lies between.
+    /// Prepares for steps of `dt` seconds in total: sends the bodies to the device's current pose. They take the device's first
+    /// pose at once, without sweeping what lies between.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a `dt` that is not finite and above zero; [`Error::InvalidId`] naming `bodies[i]` where one was removed, or
-    /// the solver is another one.
+    /// [`Error::InvalidArgument`] for a `dt` that is not finite and above zero; [`Error::InvalidId`] naming `bodies[i]` if one
+    /// was removed, or the solver is another one.
     pub fn before_step(&mut self, solver: &mut Solver, dt: f64) -> Result<()> {
         check_positive(|| "dt".into(), dt)?;
         self.check_bodies(solver)?;
@@ -145,7 +146,7 @@ impl Tool {
         }
     }
 
-    /// After the step: publishes what touches the tool. Nothing before the device has told a pose.
+    /// Publishes the tool's contacts after the step. Does nothing before the device's first report.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `bodies[i]`.
@@ -170,14 +171,14 @@ impl Tool {
                 pressing += 1;
             }
         } else if self.options.mode == Mode::HandOver {
-            let (way, onward) = (self.way(), self.handle[0].compose(&self.handle[1].inverse()));
-            solver.find_touches(&self.bodies, NEAR + WAYS * way, &mut self.compliance)?;
+            let (travel, onward) = (self.travel(), self.handle[0].compose(&self.handle[1].inverse()));
+            solver.find_touches(&self.bodies, NEAR + TRAVEL_FACTOR * travel, &mut self.compliance)?;
             let may_close = |touch: &BodyTouch| {
                 let closing = (onward.origin + onward.rotation * touch.point - touch.point).dot(&touch.normal);
-                touch.gap <= NEAR + WAYS * closing.max(SIDEWAYS * way)
+                touch.gap <= NEAR + TRAVEL_FACTOR * closing.max(SIDEWAYS * travel)
             };
             left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize, may_close);
-            // What comes from no touch, such as the push on strands that a step did not bring through, the hand is not to feel.
+            // The hand must not feel forces that come from no contact, such as the push on strands that diverged in a step.
             for (touch, chosen) in self.compliance.touches.iter().enumerate().map(|(k, touch)| (touch, self.choice.is_chosen(k)))
             {
                 if !chosen {
@@ -210,7 +211,8 @@ impl Tool {
         Ok(())
     }
 
-    /// Of the strands that touch the tool, which a while after they did is not forgotten: what lets go may touch again in the next step.
+    /// The mass of strands in contact with the tool, which persists for a while: a strand that lets go may be in contact again in
+    /// the next step.
     fn mass_of_touching(&self, solver: &Solver) -> AddedMass {
         let mut added = AddedMass { mass: self.added.mass * FORGETS, moment: self.added.moment * FORGETS };
         let (mut now, mut last) = (AddedMass::default(), None);
@@ -228,8 +230,8 @@ impl Tool {
         added
     }
 
-    /// The farthest that something of the tool went in the last step, m.
-    fn way(&self) -> f64 {
+    /// The largest displacement of any point of the tool in the last step, m.
+    fn travel(&self) -> f64 {
         let [now, before] = &self.handle;
         let turn = rotation_vector(&(now.rotation * before.rotation.inverse())).norm();
         let of_body =

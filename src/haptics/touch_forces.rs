@@ -1,9 +1,11 @@
-//! The device's own solve: Signorini's and Coulomb's laws at the touches of a local model, with the tool where the hand has it now.
+//! The device's own contact solve: Signorini's and Coulomb's laws at the contacts of a local model, with the tool where the hand
+//! has it now.
 //!
-//! Within `s` of the model's seconds a touched point goes s·moved + W (λ − λ₀): at s = 0, with the tool where it was, the forces λ₀ that the simulation
-//! had solve it, and at s = 1 it is the simulation's own next step. Strands are coupled through the tool, which gives way by the virtual coupling.
-//! Gaps and normals are those of the tool's shapes where strands and tool are now, under the forces of the update before. Sweeps over the touches
-//! (Gauss–Seidel), each by its law's exact solve, begin with these forces.
+//! At the fraction `s` of the model's seconds a point of contact moves by s·moved + W (λ − λ₀). At s = 0, with the tool unmoved,
+//! the simulation's forces λ₀ are the solution; s = 1 is the simulation's own next step. Strands are coupled through the tool,
+//! which yields by the virtual coupling. Gaps and normals are those of the tool's shapes at the current positions of strands and
+//! tool, under the forces of the last update. Sweeps over the contacts (Gauss–Seidel), each with its law's exact solution, start
+//! from these forces.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -17,62 +19,64 @@ use crate::math::frame::Frame;
 use crate::solver::report::Wrench;
 use crate::solver::touch_compliance::BodyTouch;
 
-/// Sweeps end when no force changes by more than this part of the largest.
+/// Sweeps end when no force changes by more than this fraction of the largest.
 const CHANGE: f64 = 1e-4;
-/// Where the last sweep changes forces by more than this part of the largest they go half of the way.
+/// Where the last sweep changes forces by more than this fraction of the largest, they are relaxed by one half.
 const UNSOLVED: f64 = 0.01;
-/// How much further than the simulation's next step strands are foreseen.
+/// How far beyond the simulation's next step strands are extrapolated.
 const FARTHEST: f64 = 2.0;
-/// A surface whose normal has turned from the model's by more than this cosine is another one: what it had in the model goes on to be it.
+/// A surface whose normal has turned away from the model's by more than this cosine is a different one: the model's own surface
+/// stays in use.
 const SAME_SIDE: f64 = 0.2;
 
-/// The gap of a touch that is none any more, m.
+/// The gap of a contact that no longer exists, m.
 const FAR: f64 = 1.0;
 
-/// The most that a touch may have slid into the surface within a step, m.
-const MOST_SLID: f64 = 1e-4;
+/// The largest slide of a contact into the surface within a step, m.
+const MAX_SLIDE: f64 = 1e-4;
 
-/// A touch's part in the solve.
+/// A contact's part in the solve.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct ContactRow {
     law: LawSolve,
-    /// How far the strand's point goes for a force at it.
+    /// Displacement of the strand's point per force on it.
     own: Matrix3<f64>,
-    /// The same with the tool's giving way.
+    /// The same with the tool's compliance.
     response: Matrix3<f64>,
     /// From the handle's origin to the tool's point.
     arm: Vector3<f64>,
-    /// What there would be with the forces that the model came with, and a tool that does not give way.
+    /// The gap's displacement with the model's forces and a rigid tool.
     free: Vector3<f64>,
     force: Vector3<f64>,
-    /// The update before's.
+    /// The force of the last update.
     before: Vector3<f64>,
-    /// How much nearer the surface is than the simulation had it where the touch slid on within its step, m: what pressed there goes on to.
+    /// How much closer the surface is than in the simulation because the contact slid within its step, m: a contact under
+    /// pressure stays under pressure.
     slid: f64,
 }
 
-/// What a solve came to.
+/// The result of a solve.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Solved {
-    /// On the tool, about its handle's origin, with what comes from no touch.
+    /// On the tool, about its handle's origin, including forces without a contact.
     pub wrench: Wrench,
-    /// How far the tool gives way.
+    /// The tool's displacement.
     pub moved: Vector3<f64>,
     pub turned: Vector3<f64>,
     pub sweeps: u32,
     pub pressing: u32,
-    /// The last change of a force as a part of the largest.
+    /// The last change of a force relative to the largest.
     pub change: f64,
 }
 
-/// The touches of the present local model.
+/// The contacts of the current local model.
 #[derive(Debug)]
 pub(super) struct TouchForces {
-    rows: Vec<Row>,
+    rows: Vec<ContactRow>,
     teeth: Vec<Tooth>,
 }
 
-/// What the forces on strands come to at the tool, with opposite sign.
+/// Minus the sum of the forces on strands, at the tool.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sum {
     force: Vector3<f64>,
@@ -96,7 +100,7 @@ impl TouchForces {
         Self { rows: Vec::with_capacity(most), teeth }
     }
 
-    /// Begins with another model, from its own forces.
+    /// Starts with another model, from its own forces.
     pub fn begin(&mut self, model: &LocalModel) {
         self.rows.clear();
         for (range, response) in model.strands() {
@@ -108,11 +112,11 @@ impl TouchForces {
                 let slid = match self.teeth.get(touch.body as usize) {
                     Some(tooth) if touch.force != Vector3::zeros() => {
                         let near = tooth.nearest(&model.handle, touch.strand_point(), touch.tangent, touch.reach);
-                        near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MOST_SLID, 0.0)
+                        near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MAX_SLIDE, 0.0)
                     }
                     _ => 0.0,
                 };
-                self.rows.push(Row {
+                self.rows.push(ContactRow {
                     law,
                     own,
                     response: own,
@@ -126,9 +130,10 @@ impl TouchForces {
         }
     }
 
-    /// How far the point of a strand's touch `k` goes by how the forces differ from the model's; `matrix` is the strand's.
+    /// Displacement of the strand's point of contact `k` by the difference of the forces from the model's; `matrix` is the
+    /// strand's.
     #[inline(always)]
-    fn given_way(rows: &[Row], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
+    fn displacement_of(rows: &[ContactRow], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
         let size = 3 * touches.len();
         // Symmetric: three columns are three rows.
         let own = &matrix[3 * k * size..][..3 * size];
@@ -143,7 +148,7 @@ impl TouchForces {
         sum
     }
 
-    /// Looks at where strands and tool are under the forces of the update before, `part` of the model's seconds on.
+    /// Evaluates strands and tool under the forces of the last update, at the fraction `part` of the model's seconds.
     fn look(&mut self, model: &LocalModel, handle: &Frame, part: f64, compliance: Compliance) -> Sum {
         let mut sum = Sum::default();
         self.rows.iter().for_each(|row| sum.add(&row.arm, &row.force));
@@ -154,9 +159,9 @@ impl TouchForces {
         for (range, response) in model.strands() {
             let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
             for (k, touch) in touches.iter().enumerate() {
-                let way = Self::given_way(rows, touches, response, k);
+                let displacement = Self::displacement_of(rows, touches, response, k);
                 let was = touch.strand_point();
-                let now = was + touch.moved * part + way;
+                let now = was + touch.moved * part + displacement;
                 let carried = tool.origin + turn * (touch.point - model.handle.origin) - touch.point;
                 let found =
                     self.teeth.get(touch.body as usize).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
@@ -174,15 +179,15 @@ impl TouchForces {
                 row.response = row.own + Matrix3::identity() * compliance.linear - across * across * compliance.angular;
                 row.law = law(touch, normal, &row.response, model.seconds);
                 let u = normal * gap + (slip - normal * normal.dot(&slip));
-                // Less what these forces have done to it.
-                row.free = u - way + yielded + turned.cross(&row.arm);
+                // Without the effect of these forces.
+                row.free = u - displacement + yielded + turned.cross(&row.arm);
                 sum.add(&row.arm, &row.force);
             }
         }
         sum
     }
 
-    /// The forces `age` seconds after the pose that the model's step was taken with, when the handle would be at `handle` if no force acted on it.
+    /// The forces `age` seconds after the pose of the model's step, if the handle would be at `handle` without any force on it.
     pub fn solve(&mut self, model: &LocalModel, handle: &Frame, age: f64, max_sweeps: u32, compliance: Compliance) -> Solved {
         let part = (age / model.seconds).clamp(0.0, FARTHEST);
         let mut sum = self.look(model, handle, part, compliance);
@@ -193,7 +198,7 @@ impl TouchForces {
             for (range, response) in model.strands() {
                 let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
                 for k in 0..touches.len() {
-                    let mut u = Self::given_way(rows, touches, response, k);
+                    let mut u = Self::displacement_of(rows, touches, response, k);
                     let row = &mut rows[k];
                     u += row.free + sum.force * compliance.linear + sum.moment.cross(&row.arm) * compliance.angular;
                     let force = row.law.solve(u - row.response * row.force);
@@ -216,7 +221,7 @@ impl TouchForces {
             }
         }
         if solved.change > UNSOLVED {
-            // What jams has no one solution: it is not to jump from one to another.
+            // A jammed contact has no unique solution: it must not jump between solutions.
             sum = Sum::default();
             for row in &mut self.rows {
                 row.force = 0.5 * (row.force + row.before);

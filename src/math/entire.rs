@@ -1,20 +1,19 @@
-//! The entire functions of which a helix is made, exact through zero curvature.
+//! Stumpff's entire functions, from which a helix is made, exact through zero curvature.
 //!
-//! Stumpff's functions cₖ(z) = Σⱼ (−z)ʲ/(2j+k)!, with z = x², x = Ωs the angle turned. In the letters of `docs/theory/mathematics.md`:
-//! A = sin x/x = c1, B = (1 − cos x)/x² = c2, C = (x − sin x)/x³ = c3; and from the derivatives 2d/dz of those,
-//! b = (A−2B)/x² = 2c4 − c3, c = (B−3C)/x² = 3c5 − c4, b′ = 2db/dz = c4 − 5c5 + 8c6, c′ = 2dc/dz = c5 − 7c6 + 15c7:
-//! no division and no singular case. The identity behind all of it: cₖ = 1/k! − z cₖ₊₂.
+//! Stumpff's functions cₖ(z) = Σⱼ (−z)ʲ/(2j+k)!, with z = x², where x = Ωs is the angle turned. In the letters of
+//! `docs/theory/mathematics.md`: A = sin x/x = c1, B = (1 − cos x)/x² = c2, C = (x − sin x)/x³ = c3; and from their derivatives
+//! 2d/dz, b = (A−2B)/x² = 2c4 − c3, c = (B−3C)/x² = 3c5 − c4, b′ = 2db/dz = c4 − 5c5 + 8c6, c′ = 2dc/dz = c5 − 7c6 + 15c7: no
+//! division and no singular case. They follow from the identity cₖ = 1/k! − z cₖ₊₂.
 
 use super::lane::Lane;
 use super::trigonometry::sine_cosine;
 
-/// Below this z the series is used (its terms fall quickly; below 1 half of them do), above it sine and cosine (their cancellation is
-/// gone by then).
-/// At the join both are good to 4 ulp; see the tests.
+/// Below this z the series is used (its terms fall quickly; below 1 half of them are enough), above it sine and cosine (by then
+/// their cancellation is harmless). At the join both are good to 4 ulp.
 const JOIN: f64 = 15.0;
 
-/// Coefficients of c6 and c7: (−1)ʲ/(2j+6)! and (−1)ʲ/(2j+7)!. Fifteen terms leave 1e-17 of the first at the join, eight 2e-9
-/// (f32); at 1 eight leave 6e-19 and four 4e-10.
+/// Coefficients of c6 and c7: (−1)ʲ/(2j+6)! and (−1)ʲ/(2j+7)!. Truncated at the join, fifteen terms leave 1e-17 of the first term
+/// and eight 2e-9 (f32); at 1 eight leave 6e-19 and four 4e-10.
 const TERMS: usize = 15;
 const SERIES_6: [f64; TERMS] = reciprocal_factorials(6);
 const SERIES_7: [f64; TERMS] = reciprocal_factorials(7);
@@ -23,7 +22,7 @@ const fn reciprocal_factorials(first: u32) -> [f64; TERMS] {
     let mut out = [0.0; TERMS];
     let mut j = 0;
     while j < TERMS {
-        // Factorials to 22! are exact in f64; beyond, the rounding of the product is far below the term's weight.
+        // Factorials to 22! are exact in f64; beyond, the product's rounding is far below the term's weight.
         let mut factorial = 1.0;
         let mut factor = 2;
         while factor <= 2 * j as u32 + first {
@@ -63,7 +62,7 @@ impl<T: Lane> Stumpff<T> {
         if T::all(tiny) {
             return Self::by_series(z, T::PRECISION.constants().short_series);
         }
-        // Which way a lane goes depends on its own z alone, so that its bits do not depend on the others.
+        // Each lane chooses by its own z, so its bits do not depend on the other lanes.
         let by_short = Self::by_series(z, T::PRECISION.constants().short_series);
         let by_series = Self::by_series(z, T::PRECISION.constants().series);
         let within = Self::select(tiny, &by_short, &by_series);

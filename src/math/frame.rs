@@ -1,4 +1,4 @@
-//! A rigid pose: where a strand's root or one of its cross-sections sits and how it is turned.
+//! A rigid pose: the position and orientation of a strand's root or of one of its cross-sections.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -72,7 +72,7 @@ impl Frame {
         Frame { origin: -(rotation * self.origin), rotation }
     }
 
-    /// Where something that is here is when it goes along with a rigid body that goes from pose to pose.
+    /// The pose of something at this pose after the rigid body that carries it moves from `from` to `to`.
     pub fn carried(&self, from: &Frame, to: &Frame) -> Frame {
         let turn = to.rotation * from.rotation.inverse();
         Frame { origin: to.origin + turn * (self.origin - from.origin), rotation: turn * self.rotation }

@@ -1,9 +1,9 @@
-//! The number type that kernels are written over: one `f64`, or several strands side by side in a vector register.
+//! The number type of the kernels: one `f64`, or one number per strand, side by side in a vector register.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A number, or a pack of numbers that all go through the same operations. No fused multiply-add is used anywhere, so that every
-/// width gives the same bits.
+/// A number, or a pack of numbers that go through the same operations. No fused multiply-add is used anywhere, so every width
+/// gives the same bits.
 pub trait Lane:
     Copy
     + std::fmt::Debug
@@ -17,12 +17,12 @@ pub trait Lane:
     + AddAssign
     + SubAssign
 {
-    /// A truth value a lane.
+    /// A truth value per lane.
     type Mask: Copy;
 
     /// How many lanes there are; at most [`MAX_LANES`].
     const LANES: usize;
-    /// What a lane holds.
+    /// The precision of a lane.
     const PRECISION: Precision;
 
     /// The same value in every lane, rounded to the lane's precision.
@@ -33,7 +33,7 @@ pub trait Lane:
     fn less(self, other: Self) -> Self::Mask;
     /// Lane by lane: `yes` where the mask holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// The mask's truth values, lane 0 in the lowest bit.
+    /// The mask's truth values as bits, lane 0 lowest.
     fn bits(mask: Self::Mask) -> u32;
     /// Lanes in which both masks hold.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
@@ -43,17 +43,17 @@ pub trait Lane:
     fn lane(&self, index: usize) -> f64;
     /// Changes one lane; the value is rounded to the lane's precision.
     fn set_lane(&mut self, index: usize, value: f64);
-    /// Runs a kernel as a function of its own, compiled for the instructions that this type is made of.
+    /// Runs a kernel as a function of its own, compiled for this type's instructions.
     fn call<K: Kernel>(kernel: K) -> K::Output;
 
     /// Nearest whole number; |self| below 2⁵¹ (f32: 2²²).
     #[inline(always)]
     fn round(self) -> Self {
-        // Adding and taking away 1.5·2⁵² rounds to the nearest whole number in the default rounding mode.
+        // Adding and subtracting 1.5·2⁵² rounds to the nearest whole number in the default rounding mode.
         let shift = Self::splat(Self::PRECISION.constants().round_shift);
         (self + shift) - shift
     }
-    /// Largest whole number not above; same range.
+    /// Largest whole number not above `self`; same range.
     #[inline(always)]
     fn floor(self) -> Self {
         let nearest = self.round();
@@ -74,14 +74,14 @@ pub trait Lane:
     fn larger(self, other: Self) -> Self {
         Self::select(self.less(other), other, self)
     }
-    /// The rounded sum of two numbers, and exactly what rounding left off (Knuth's two-sum).
+    /// The rounded sum of two numbers, and its exact rounding error (Knuth's two-sum).
     #[inline(always)]
-    fn sum_and_rest(self, other: Self) -> (Self, Self) {
+    fn two_sum(self, other: Self) -> (Self, Self) {
         let sum = self + other;
         let gone = sum - self;
         (sum, (self - (sum - gone)) + (other - gone))
     }
-    /// A value a lane.
+    /// One value per lane.
     #[inline(always)]
     fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
         let mut out = Self::zero();
@@ -90,7 +90,7 @@ pub trait Lane:
         }
         out
     }
-    /// The mask that holds in the lanes whose bits are set.
+    /// The mask that holds in the lanes whose bits are set in `bits`.
     #[inline(always)]
     fn mask(bits: u32) -> Self::Mask {
         Self::splat(0.5).less(Self::from_lanes(|lane| f64::from(bits >> lane & 1)))
@@ -107,13 +107,13 @@ pub trait Lane:
     }
 }
 
-/// The most lanes that a type has.
+/// The largest number of lanes of any type.
 pub const MAX_LANES: usize = 16;
 
-/// A piece of work that is a function of its own in machine code, whatever is inlined around it; its `run` must be `#[inline(always)]`,
-/// and so must all generic functions over lanes that it calls.
+/// A piece of work that compiles to a machine function of its own, whatever is inlined around it. Its `run` must be
+/// `#[inline(always)]`, and so must every generic function over lanes that it calls.
 pub trait Kernel {
-    /// What comes of it.
+    /// Its result.
     type Output;
     /// Does the work.
     fn run(self) -> Self::Output;
@@ -128,23 +128,23 @@ pub enum Precision {
     F32,
 }
 
-/// What depends on a precision.
+/// Constants that depend on the precision.
 #[derive(Debug)]
 pub struct Constants {
     /// The distance from 1 to the next number.
     pub epsilon: f64,
-    /// 1.5 times the power of two above which there are no fractions.
+    /// 1.5 times the power of two above which every number is whole.
     pub round_shift: f64,
-    /// Terms of the series of Stumpff's functions.
+    /// Terms of the series of Stumpff's functions, up to the join.
     pub series: usize,
-    /// Terms that do below 1.
+    /// Terms that suffice below 1.
     pub short_series: usize,
-    /// π/2 in three parts; the products of the first two with a quadrant's number are exact (f64: to 2²⁰; f32: to 2¹¹).
+    /// π/2 as the sum of three numbers; the first two times a quadrant's number are exact (f64: to 2²⁰; f32: to 2¹¹).
     pub half_pi_parts: [f64; 3],
 }
 
 impl Precision {
-    /// What depends on the precision.
+    /// The constants of this precision.
     #[inline(always)]
     pub(crate) const fn constants(self) -> &'static Constants {
         match self {

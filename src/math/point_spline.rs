@@ -1,10 +1,11 @@
-//! A way through points with continuous acceleration: the cubic spline.
+//! A path through points with continuous acceleration: the cubic spline.
 
 use nalgebra::Vector3;
 
-/// The cubic spline through points at given times, twice continuously differentiable, held before the first and after the last. At
-/// its second and its last but one point the third derivative is continuous as well ("not a knot"), so that cubics are reproduced;
-/// through three points it is a parabola, through two a line. Error: fourth order in the spacing, third for the velocity.
+/// The cubic spline through points at given times, twice continuously differentiable, constant before the first and after the
+/// last. At its second and its last but one point the third derivative is continuous as well ("not a knot"), so it reproduces
+/// cubics; through three points it is a parabola, through two a line. Its error is of fourth order in the spacing, its velocity's
+/// of third.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointSpline {
     times: Vec<f64>,
@@ -14,7 +15,7 @@ pub struct PointSpline {
 }
 
 impl PointSpline {
-    /// Through points at times that the caller answers for: at least one, as many as points, finite, strictly increasing.
+    /// Through points at times that the caller has checked: at least one, as many times as points, finite, strictly increasing.
     pub(crate) fn through(times: Vec<f64>, points: Vec<Vector3<f64>>) -> Self {
         assert!(!times.is_empty() && times.len() == points.len());
         let bends = bends(&times, &points);
@@ -33,7 +34,7 @@ impl PointSpline {
         }
     }
 
-    /// The velocity at a time; zero before the first point and after the last, at these two that of the way between them.
+    /// The velocity at a time; zero before the first point and after the last. At these two it is that of the path between them.
     pub fn velocity(&self, time: f64) -> Vector3<f64> {
         let last = self.times.len() - 1;
         let span = if last > 0 && time == self.times[last] {
@@ -46,7 +47,7 @@ impl PointSpline {
         (p[1] - p[0]) / step + (b[0] * (1.0 - 3.0 * v * v) - b[1] * (1.0 - 3.0 * u * u)) * (step / 6.0)
     }
 
-    /// The interval that a time lies in, its length, and how far in the time is; or the point that is held.
+    /// The interval of a time, its length, and how far into it the time is; or the point at which the spline is constant.
     fn span(&self, time: f64) -> Result<(usize, f64, f64), usize> {
         let after = self.times.partition_point(|sample| *sample <= time);
         if after == 0 || after == self.times.len() {
@@ -57,8 +58,8 @@ impl PointSpline {
     }
 }
 
-/// Second derivatives at the points: h₋ b₋ + 2 (h₋ + h₊) b + h₊ b₊ = 6 (d₊ − d₋) with the spacings h and the divided differences d,
-/// the first and the last from the condition on the third derivative.
+/// Second derivatives at the points: h₋ b₋ + 2 (h₋ + h₊) b + h₊ b₊ = 6 (d₊ − d₋) with the spacings h and the divided differences
+/// d; the first and the last follow from the condition on the third derivative.
 fn bends(times: &[f64], points: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let count = times.len();
     let mut bends = vec![Vector3::zeros(); count];
@@ -127,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn smooth_ways_are_approached_at_fourth_order() {
+    fn smooth_paths_are_approached_at_fourth_order() {
         let error = |count: usize| {
             let times: Vec<f64> = (0..=count).map(|k| k as f64 / count as f64).collect();
             let wave = |t: f64| Vector3::new((7.0 * t).sin(), (5.0 * t).cos(), 0.0);

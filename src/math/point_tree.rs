@@ -1,18 +1,18 @@
-//! Points in space, found by nearness: a balanced k-d tree (Bentley 1975) kept in one array.
+//! Nearest-point queries in space: a balanced k-d tree (Bentley 1975) in one array.
 
 use nalgebra::Vector3;
 
-/// Points that a node without children holds, at most.
+/// The largest number of points in a leaf.
 const LEAF: usize = 8;
 
-/// A tree over points. What it finds does not depend on the order of the points, but for those equally far, of which the lower index
-/// comes first.
+/// A tree over points. Its answers do not depend on the order of the points, except that of equally distant points the lower
+/// index comes first.
 #[derive(Debug, Clone)]
 pub(crate) struct PointTree {
-    /// Indices, so arranged that the middle of every range splits it along the axis in which the range is longest.
+    /// Indices, arranged so that the middle of every range splits it along the range's longest axis.
     order: Vec<u32>,
     points: Vec<Vector3<f64>>,
-    /// The splitting axis of the range whose middle is this place.
+    /// The splitting axis of the range whose middle is here.
     axes: Vec<u8>,
 }
 
@@ -42,7 +42,7 @@ impl PointTree {
         tree
     }
 
-    /// Calls `visit` with the indices of all points within `radius` of a place (the border included) and their squared distances.
+    /// Calls `visit` with the index and squared distance of every point within `radius` of a place, boundary included.
     pub fn within(&self, place: Vector3<f64>, radius: f64, mut visit: impl FnMut(u32, f64)) {
         let limit = radius * radius;
         self.search(place, &mut |index, squared| {
@@ -70,11 +70,11 @@ impl PointTree {
         });
     }
 
-    /// Visits points, the half in which the place lies before the other; `visit` answers with the squared distance beyond which nothing
-    /// is of interest any more.
+    /// Visits points, first the half that holds the place. `visit` returns the squared distance beyond which points no longer
+    /// matter.
     fn search(&self, place: Vector3<f64>, visit: &mut impl FnMut(u32, f64) -> f64) {
         let mut limit = f64::INFINITY;
-        // Ranges, and the squared distance of the plane that parts them from the place.
+        // Ranges, and the squared distance from the place to the plane that separates them.
         let mut ranges = [(0_usize, 0_usize, 0.0_f64); 96];
         ranges[0] = (0, self.order.len(), 0.0);
         let mut depth = 1;
@@ -111,10 +111,10 @@ mod tests {
     use crate::math::random::Seeded;
 
     #[test]
-    fn what_is_found_is_what_a_search_of_all_finds() {
+    fn queries_agree_with_an_exhaustive_search() {
         for count in [0, 1, 7, 9, 100, 1000] {
             let numbers = Seeded::new(3, count);
-            // A third of them doubled, on a coarse lattice: distances tie.
+            // A third of them twice, on a coarse lattice, so that distances tie.
             let coordinate = |index: u64| (numbers.unit(index) * 10.0).floor() * 0.1;
             let points: Vec<Vector3<f64>> =
                 (0..count).map(|k| Vector3::new(coordinate(3 * k), coordinate(3 * k + 1), coordinate(3 * k + 2))).collect();

@@ -1,4 +1,4 @@
-//! A smooth rigid motion through samples of it.
+//! A smooth rigid motion through sampled poses.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -7,16 +7,16 @@ use crate::math::entire::Stumpff;
 use crate::math::frame::Frame;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
 
-/// A motion through poses at given times: continuous in velocity and angular velocity, exact at the samples, held before the
+/// A motion through poses at given times: continuous in velocity and angular velocity, exact at the samples, at rest before the
 /// first and after the last.
 ///
-/// Between two samples the position is the cubic with the samples' velocities at its ends, and the rotation vector relative to the
-/// first of the two is a cubic likewise. The velocities at samples are those of the parabola through a sample and its two
-/// neighbours; at the first and the last sample the parabola through the nearest three is used. A motion with constant
-/// velocity and constant angular velocity is so reproduced exactly, and a smooth one to the third power of the sampling interval.
-/// The velocity jumps where the held part begins or ends, unless the samples come to rest there.
+/// Between two samples the position is the cubic with the samples' velocities at its ends, and the rotation vector relative to
+/// the first of the two is a cubic likewise. The velocities at samples are those of the parabola through a sample and its two
+/// neighbours; at the first and the last sample the parabola goes through the nearest three. A motion with constant velocity and
+/// constant angular velocity is thus reproduced exactly, and a smooth one to third order in the sampling interval. The velocity
+/// jumps where the motion begins or ends, unless the samples come to rest there.
 ///
-/// Neighbouring samples may be turned by less than half a turn from each other: of two ways, the shorter one is taken.
+/// Neighbouring samples must differ by less than half a turn: the motion takes the shorter of the two rotations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PoseSpline {
     times: Vec<f64>,
@@ -36,7 +36,7 @@ impl PoseSpline {
             return Err(Error::invalid("times", "empty", "at least one sample"));
         }
         if times.len() != frames.len() {
-            return Err(Error::invalid("frames", format!("{} frames", frames.len()), format!("{}, one a time", times.len())));
+            return Err(Error::invalid("frames", format!("{} frames", frames.len()), format!("{}, one per time", times.len())));
         }
         for (index, time) in times.iter().enumerate() {
             check_finite(|| format!("times[{index}]"), *time)?;
@@ -90,8 +90,8 @@ impl PoseSpline {
         self.times[self.times.len() - 1] - self.times[0]
     }
 
-    /// The pose at a time (s): exactly a sample's at its time, held before the first and after the last. A time that is not a
-    /// number counts as before the first.
+    /// The pose at a time (s): exactly a sample's at its time, constant before the first and after the last. NaN counts as before
+    /// the first.
     pub fn at(&self, time: f64) -> Frame {
         let Some(span) = self.span(time) else {
             return if time >= self.times[0] { self.frames[self.frames.len() - 1] } else { self.frames[0] };
@@ -117,7 +117,7 @@ impl PoseSpline {
         (span.cubic_rate(span.position_ends()), span.from.rotation * (from_rotation_vector(turn) * angular))
     }
 
-    /// The interval that a time lies in: from a sample on, and before the next. `None` outside.
+    /// The interval that holds a time: from its first sample inclusive to the next exclusive. `None` outside.
     fn span(&self, time: f64) -> Option<Span<'_>> {
         let index = self.times.partition_point(|sample| *sample <= time).checked_sub(1)?;
         let step = self.times.get(index + 1)? - self.times[index];
@@ -133,8 +133,8 @@ impl PoseSpline {
         })
     }
 
-    /// The motion with every pose changed by the same rigid change of axes. The caller answers for it being one, for then
-    /// everything that was checked holds still.
+    /// The motion with `change` applied to every pose. The caller guarantees one and the same rigid change of axes, so that the
+    /// checked properties still hold.
     pub(crate) fn map_frames(&self, change: impl Fn(&Frame) -> Frame) -> Self {
         let frames: Vec<Frame> = self.frames.iter().map(change).collect();
         let rates = rates(&self.times, &frames);
@@ -153,12 +153,12 @@ struct Span<'a> {
 }
 
 impl Span<'_> {
-    /// Where the position ends relative to the start, and its rates at both ends.
+    /// The end of the position cubic relative to its start, and its rates at both ends.
     fn position_ends(&self) -> [Vector3<f64>; 3] {
         [self.to.origin - self.from.origin, self.rates[0].0, self.rates[1].0]
     }
 
-    /// Where the rotation vector relative to the start ends, and its rates at both ends.
+    /// The end of the rotation vector relative to the start, and its rates at both ends.
     fn turn_ends(&self) -> [Vector3<f64>; 3] {
         let turn = rotation_vector(&(self.from.rotation.inverse() * self.to.rotation));
         [turn, self.rates[0].1, inverse_right_jacobian(&turn) * self.rates[1].1]
@@ -177,11 +177,11 @@ impl Span<'_> {
     }
 }
 
-/// Velocities at the samples from the mean velocities between them: linear in time through the two nearest, which is what the
-/// parabola through three samples gives.
+/// Velocities at the samples from the mean velocities between them: linear in time through the two nearest means, which equals
+/// the parabola through three samples.
 fn rates(times: &[f64], frames: &[Frame]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
     let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    // The mean angular velocity has the same numbers in the axes of either sample, since the turn is about that very axis.
+    // The mean angular velocity has the same components in the axes of either sample, since the turn is about that axis.
     let means: Vec<_> = frames
         .windows(2)
         .zip(&steps)
@@ -194,8 +194,8 @@ fn rates(times: &[f64], frames: &[Frame]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
         0 => (Vector3::zeros(), Vector3::zeros()),
         1 => means[0],
         count => {
-            // The intervals before and after the sample, or the two nearest to an end; and how far it is from the first's middle
-            // to the sample, in units of the distance between their middles.
+            // The intervals before and after the sample, or the two nearest to an end; and the sample's distance from the middle
+            // of the first, in units of the distance between their middles.
             let first = sample.saturating_sub(1).min(count - 2);
             let (before, after) = (steps[first], steps[first + 1]);
             let offset = match sample {

@@ -1,10 +1,10 @@
-//! Asking for memory before it is needed: strands lie all over it, and waiting for each in turn takes longer than the work on it.
+//! Memory prefetch: strands are scattered in memory, and waiting for each in turn takes longer than the work on it.
 
-/// Bytes that memory comes in.
+/// Bytes of a cache line.
 #[cfg(target_arch = "x86_64")]
 const LINE: usize = 64;
 
-/// Asks for the memory of a value. Changes nothing but speed.
+/// Prefetches a value's memory. Affects speed only.
 #[inline(always)]
 #[cfg_attr(target_arch = "x86_64", allow(unsafe_code))]
 pub(crate) fn prefetch<T: ?Sized>(value: &T) {
@@ -20,7 +20,7 @@ pub(crate) fn prefetch<T: ?Sized>(value: &T) {
             offset += LINE;
         }
         if bytes > 0 {
-            // SAFETY: the same. The last byte may lie in one line more.
+            // SAFETY: the same. The last byte may lie in one more line.
             unsafe { _mm_prefetch::<_MM_HINT_T0>(begin.wrapping_add(bytes - 1)) };
         }
     }

@@ -1,16 +1,16 @@
-//! Gauss–Legendre rules on [0, 1], and how many points a segment needs.
+//! Gauss–Legendre rules on [0, 1], and the choice of a rule for an element.
 
 use super::quadrature_limits::{self, RULES};
 pub use super::quadrature_limits::{LOOSEST, TIGHTEST};
 use crate::error::{Error, Result};
 
-/// What the integrals along an element may err by, relative, unless a host says otherwise (`docs/theory/mathematics.md`).
+/// Default relative tolerance of the integrals along an element (`docs/theory/mathematics.md`).
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 
-/// Checks a tolerance of quadrature; `argument` is its name in the message.
+/// Checks a quadrature tolerance; `argument` is its name in the message.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for one that is not within [`TIGHTEST`] and [`LOOSEST`].
+/// [`Error::InvalidArgument`] for one outside [[`TIGHTEST`], [`LOOSEST`]].
 pub fn check_tolerance(argument: &str, tolerance: f64) -> Result<()> {
     if (TIGHTEST..=LOOSEST).contains(&tolerance) {
         return Ok(());
@@ -74,15 +74,15 @@ impl Rule {
         self.nodes.is_empty()
     }
 
-    /// The coefficients with which values at the nodes give the value at node `node` of the rule `to`: of the interpolating polynomial
-    /// itself where `to` has as many points or more, else of the polynomial of as many coefficients as `to` has points that is nearest
-    /// to it in the mean square. Integrals stay, those of squares do not grow.
+    /// The coefficients that give the value at node `node` of the rule `to` from the values at this rule's nodes. Where `to` has
+    /// at least as many points, this is the interpolating polynomial; else the polynomial with as many coefficients as `to` has
+    /// points that is nearest in the mean square. Integrals stay the same, and those of squares do not grow.
     pub fn transfer(&self, to: &Self, node: usize, coefficients: &mut Vec<f64>) {
         if to.len() >= self.len() {
             return self.interpolation(to.nodes[node], coefficients);
         }
-        // Lagrange's polynomials of Gauss' nodes are orthogonal, and the integrals of their squares are the weights. This rule integrates
-        // their products with its own polynomials exactly.
+        // Lagrange's polynomials of Gauss' nodes are orthogonal, and the integrals of their squares are the weights. This rule
+        // integrates their products with its own polynomials exactly.
         coefficients.clear();
         for (x, weight) in self.nodes.iter().zip(&self.weights) {
             coefficients.push(weight * to.basis(node, *x) / to.weights[node]);
@@ -95,31 +95,31 @@ impl Rule {
         self.nodes.iter().enumerate().filter(|(k, _)| *k != node).map(|(_, other)| (x - other) / (here - other)).product()
     }
 
-    /// The coefficients with which values at the nodes give the interpolating polynomial's value at `x`.
+    /// The coefficients that give the interpolating polynomial's value at `x` from the values at the nodes.
     pub fn interpolation(&self, x: f64, coefficients: &mut Vec<f64>) {
         coefficients.clear();
         self.for_each_coefficient(x, |_, coefficient| coefficients.push(coefficient));
     }
 
-    /// The same without memory: `take(node, coefficient)`, in the nodes' order.
+    /// The same without allocation: `take(node, coefficient)`, in the nodes' order.
     pub fn for_each_coefficient(&self, x: f64, mut take: impl FnMut(usize, f64)) {
         if let Some(hit) = self.nodes.iter().position(|node| *node == x) {
             (0..self.len()).for_each(|i| take(i, if i == hit { 1.0 } else { 0.0 }));
             return;
         }
-        let shares = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
-        let sum: f64 = shares().sum();
-        shares().enumerate().for_each(|(i, share)| take(i, share / sum));
+        let fractions = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
+        let sum: f64 = fractions().sum();
+        fractions().enumerate().for_each(|(i, fraction)| take(i, fraction / sum));
     }
 }
 
-/// The rules of one solver, and what they may err by. A strand uses one of them for all its elements.
+/// The rules of one solver and their tolerance. A strand uses one rule for all its elements.
 #[derive(Debug, Clone)]
 pub struct Rules {
-    /// Computed once in a process: half a millisecond that not every solver need take.
+    /// Computed once per process: it takes half a millisecond.
     rules: &'static [Rule],
     tolerance: f64,
-    /// The largest turn, rad, that each rule is for.
+    /// The largest turn, rad, that each rule covers.
     limits: Vec<f64>,
 }
 
@@ -130,10 +130,10 @@ impl Default for Rules {
 }
 
 impl Rules {
-    /// Rules to integrate an element's inertia, drag and weight to `tolerance`, relative.
+    /// Rules that integrate an element's inertia, drag and weight to the relative `tolerance`.
     ///
     /// # Panics
-    /// For a tolerance that is not within [`TIGHTEST`] and [`LOOSEST`].
+    /// For a tolerance outside [[`TIGHTEST`], [`LOOSEST`]].
     pub fn new(tolerance: f64) -> Self {
         static ALL: std::sync::OnceLock<Vec<Rule>> = std::sync::OnceLock::new();
         let rules = ALL.get_or_init(|| RULES.iter().map(|(count, _)| Rule::gauss_legendre(*count)).collect());
@@ -142,41 +142,41 @@ impl Rules {
         out
     }
 
-    /// Chooses rules for another tolerance from now on; the rules and their indices stay.
+    /// Chooses rules for another tolerance from now on; the rules and their indices stay the same.
     ///
     /// # Panics
-    /// For a tolerance that is not within [`TIGHTEST`] and [`LOOSEST`].
+    /// For a tolerance outside [[`TIGHTEST`], [`LOOSEST`]].
     pub fn set_tolerance(&mut self, tolerance: f64) {
         assert!((TIGHTEST..=LOOSEST).contains(&tolerance), "quadrature tolerance {tolerance}: {TIGHTEST} to {LOOSEST}");
         self.tolerance = tolerance;
         self.limits = (0..RULES.len()).map(|index| quadrature_limits::largest_turn(index, tolerance)).collect();
     }
 
-    /// What the integrals may err by, relative.
+    /// The relative tolerance of the integrals.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// The smallest rule that integrates an element to the tolerance when it turns by `angle` = Ωℓ rad, as an index for
-    /// [`Rules::rule`]. Beyond what the largest rule is for it is the largest; [`Rules::error`] then tells.
+    /// The smallest rule that integrates an element with turn `angle` = Ωℓ rad to the tolerance, as an index for [`Rules::rule`].
+    /// Past the largest rule's range it is the largest rule; [`Rules::error`] then gives its error.
     pub fn for_angle(&self, angle: f64) -> usize {
         self.limits.iter().position(|limit| angle < *limit).unwrap_or(RULES.len() - 1)
     }
 
-    /// The same for a tolerance of its own, within [`TIGHTEST`] and [`LOOSEST`].
+    /// The same for a given tolerance, within [`TIGHTEST`] and [`LOOSEST`].
     pub fn for_angle_within(&self, angle: f64, tolerance: f64) -> usize {
         let does = |index: &usize| angle < quadrature_limits::largest_turn(*index, tolerance);
         (0..RULES.len()).find(does).unwrap_or(RULES.len() - 1)
     }
 
-    /// The rule for a strand whose most turned element turns by `angle`, given the rule `current` that it uses: changes only when it
-    /// must, or when a smaller one would do with a margin, so that a strand near a border does not flicker between two.
+    /// The rule for a strand whose most turned element turns by `angle`, given its current rule. It changes only when it must, or
+    /// when a smaller one would do with a margin, so that a strand near a limit does not alternate between two.
     pub fn next_for_angle(&self, current: usize, angle: f64) -> usize {
         let wanted = self.for_angle(1.1 * angle);
         if wanted >= current { wanted } else { self.for_angle(1.3 * angle).min(current) }
     }
 
-    /// What a rule errs by where an element turns by `angle` rad, relative: [`TIGHTEST`] stands for that or less, infinity for more than
+    /// The relative error of a rule where an element turns by `angle` rad: [`TIGHTEST`] means that or less, infinity more than
     /// [`LOOSEST`].
     pub fn error(&self, index: usize, angle: f64) -> f64 {
         quadrature_limits::error(index, angle)
@@ -187,7 +187,7 @@ impl Rules {
         &self.rules[index]
     }
 
-    /// Bytes on the heap, of this value in a box; the rules themselves, 20 kB, are the process's.
+    /// Bytes on the heap, of this value in a box; the rules themselves, 20 kB, belong to the process.
     pub fn heap_bytes(&self) -> usize {
         size_of::<Self>() + self.limits.capacity() * size_of::<f64>()
     }
@@ -243,7 +243,7 @@ mod tests {
             let square =
                 |rule: &Rule, values: &[f64]| -> f64 { (0..rule.len()).map(|i| rule.weights[i] * values[i].powi(2)).sum() };
             let kept = from.len().min(to.len());
-            // Moments up to the degree that fewer coefficients can hold are those of the polynomial itself; rounding only.
+            // Moments up to the degree that fewer coefficients can represent are exact but for rounding.
             for degree in 0..kept as i32 {
                 let (before, after) = (moment(&from, &values, degree), moment(&to, &moved, degree));
                 assert!((before - after).abs() < 1e-12 * square(&from, &values), "{} to {}: {degree}", from.len(), to.len());

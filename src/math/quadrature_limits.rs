@@ -1,18 +1,17 @@
-//! How far elements may turn for a Gauss–Legendre rule to integrate their inertia to a tolerance.
+//! How far an element may turn for each Gauss–Legendre rule to integrate its inertia to a tolerance.
 
-/// The largest error, relative, that a rule may be chosen for.
+/// The largest relative tolerance.
 pub const LOOSEST: f64 = 1e-2;
-/// The smallest.
+/// The smallest relative tolerance.
 pub const TIGHTEST: f64 = 1e-12;
-/// −log₁₀ of the first column of [`RULES`]; the others follow by one.
+/// −log₁₀ of the tolerance of the first column of [`RULES`]; later columns count up by one.
 const FIRST_EXPONENT: f64 = 2.0;
 const COLUMNS: usize = 11;
 
-/// Rules by their number of points, and the largest turn Ωℓ of an element, rad, up to which each errs by no more than 10⁻², 10⁻³, …
-/// 10⁻¹²; 0: none. Measured by `examples/quadrature`: the largest error of an entry of the 9 × 9 inertia matrix of an element (its left
-/// end moves and turns, its curvatures change) over all directions of the curvature, relative to the diagonal entries of its row and
-/// column. The work of weight and wind is among the entries. On an element that is all but straight three points err by 1/400 of twist's
-/// inertia, and in nothing else; two points by 2.8 % of bending's.
+/// Rules by their number of points, and the largest turn Ωℓ of an element, rad, up to which each is within 10⁻², 10⁻³, … 10⁻¹²; 0
+/// for none. From `examples/quadrature`: the largest error of an entry of the 9 × 9 inertia matrix of an element (its left end
+/// moves and turns, its curvatures change) over all directions of the curvature, relative to the diagonal entries of its row and
+/// column. The work of weight and wind is among the entries.
 #[rustfmt::skip]
 pub const RULES: [(usize, [f64; COLUMNS]); 18] = [
     (3, [2.793, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
@@ -35,23 +34,24 @@ pub const RULES: [(usize, [f64; COLUMNS]); 18] = [
     (128, [244.6, 239.5, 233.6, 229.0, 224.9, 220.7, 217.1, 213.2, 210.6, 208.9, 208.2]),
 ];
 
-/// The largest turn for which rule `index` errs by no more than `tolerance`, within [`TIGHTEST`] and [`LOOSEST`]: between two columns
+/// The largest turn for which rule `index` is within `tolerance`, itself within [`TIGHTEST`] and [`LOOSEST`]. Between two columns
 /// the logarithms are interpolated.
 pub fn largest_turn(index: usize, tolerance: f64) -> f64 {
     let limits = &RULES[index].1;
     let place = (-tolerance.log10() - FIRST_EXPONENT).clamp(0.0, (COLUMNS - 1) as f64);
     let nearest = place.round();
     if (place - nearest).abs() < 1e-9 {
-        // A column itself, whatever the machine's logarithm rounds to.
+        // A column exactly, whatever the machine's logarithm rounds to.
         return limits[nearest as usize];
     }
     let column = place as usize;
-    let share = place - column as f64;
-    // Where the tighter column has none, neither has what is between.
-    limits[column].powf(1.0 - share) * limits[column + 1].powf(share)
+    let fraction = place - column as f64;
+    // Where the tighter column has no turn, tolerances in between have none either.
+    limits[column].powf(1.0 - fraction) * limits[column + 1].powf(fraction)
 }
 
-/// What rule `index` errs by at most where an element turns by `angle`: [`TIGHTEST`] stands for that or less; infinite beyond [`LOOSEST`].
+/// The largest error of rule `index` where an element turns by `angle`: [`TIGHTEST`] means that or less; infinite beyond
+/// [`LOOSEST`].
 pub fn error(index: usize, angle: f64) -> f64 {
     let limits = &RULES[index].1;
     if angle.is_nan() || angle > limits[0] {
@@ -60,9 +60,9 @@ pub fn error(index: usize, angle: f64) -> f64 {
     let Some(column) = (1..COLUMNS).find(|column| angle > limits[*column] || limits[*column] == 0.0) else {
         return TIGHTEST;
     };
-    let share =
+    let fraction =
         if limits[column] > 0.0 { (limits[column - 1] / angle).ln() / (limits[column - 1] / limits[column]).ln() } else { 0.0 };
-    10.0_f64.powf(-(FIRST_EXPONENT + column as f64 - 1.0 + share))
+    10.0_f64.powf(-(FIRST_EXPONENT + column as f64 - 1.0 + fraction))
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
-//! Seeded numbers without a state: what item `index` gets for a purpose depends on the seed, the index and the purpose alone, so that no
-//! order of work and no number of threads can change it.
+//! Stateless seeded random numbers: a number depends only on the seed, the item's index and the purpose, so neither the order of
+//! work nor the number of threads can change it.
 
-/// Stirs all bits of a number: the output function of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
-/// 2014).
+/// Mixes all bits of a number: the output function of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
+/// generators", 2014).
 pub(crate) fn mixed(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -14,7 +14,7 @@ pub(crate) fn mixed(mut z: u64) -> u64 {
 pub(crate) struct Seeded(u64);
 
 impl Seeded {
-    /// Numbers for one purpose: different purposes see different numbers under the same seed.
+    /// Numbers for one purpose: different purposes get different numbers from the same seed.
     pub fn new(seed: u64, purpose: u64) -> Self {
         Self(mixed(seed.wrapping_add(0x9e37_79b9_7f4a_7c15)) ^ mixed(purpose.wrapping_mul(0xd134_2543_de82_ef95)))
     }

@@ -24,11 +24,11 @@ pub fn from_rotation_vector(vector: Vector3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::new_normalize(nalgebra::Quaternion::from_parts(cosine, vector * factor))
 }
 
-/// Arc tangent of y/x for y ≥ 0, x ≥ 0 by Newton's iteration on our own sine and cosine: the same bits on every machine.
+/// Arc tangent of y/x for y ≥ 0, x ≥ 0, by Newton's iteration on this crate's sine and cosine: the same bits on every machine.
 pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     let radius = (x * x + y * y).sqrt();
     let (sine, cosine) = (y / radius, x / radius);
-    // A rational start (error under 0.01 rad), then two steps of a method of third order, and one for rounding.
+    // A rational start (error under 0.01 rad), two steps of a third-order method, and one for rounding.
     let ratio = if sine < cosine { sine / cosine } else { cosine / sine };
     let start = ratio * (std::f64::consts::FRAC_PI_4 + 0.273 * (1.0 - ratio));
     let mut angle = if sine < cosine { start } else { std::f64::consts::FRAC_PI_2 - start };
@@ -39,7 +39,7 @@ pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     angle
 }
 
-/// The same to 2e-8 rad for a fraction of the price (Abramowitz and Stegun, 4.4.49). Zero where both are.
+/// The same to 2e-8 rad at a fraction of the cost (Abramowitz and Stegun, 4.4.49). Zero where both are.
 pub(crate) fn rough_arc_tangent(y: f64, x: f64) -> f64 {
     const TERMS: [f64; 9] = [
         0.002_866_225_7,
@@ -58,10 +58,11 @@ pub(crate) fn rough_arc_tangent(y: f64, x: f64) -> f64 {
     if y > x { std::f64::consts::FRAC_PI_2 - angle } else { angle }
 }
 
-/// A pose on its way: leaves `from` with the velocity that it had, arrives at `to` after `duration` with the mean velocity of the way.
+/// A pose in motion: it leaves `from` with its current velocity and arrives at `to` after `duration` with the mean velocity of
+/// the move.
 ///
-/// Position and rotation are C¹ across successive moves and pass exactly through the frames that the host gave: a host that sets a frame
-/// a tick gets a smooth motion at any number of substeps, with no look ahead.
+/// Position and rotation are C¹ across successive moves and pass exactly through the host's frames. A host that sets one frame
+/// per tick gets a smooth motion at any number of substeps, without looking ahead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseMove {
     /// Pose at the start.
@@ -82,7 +83,7 @@ impl PoseMove {
         rotation_vector(&(self.from.rotation.inverse() * self.to.rotation))
     }
 
-    /// The pose `elapsed` seconds after the start, held at both ends.
+    /// The pose `elapsed` seconds after the start, constant before the start and after the end.
     pub fn at(&self, elapsed: f64) -> Frame {
         if elapsed <= 0.0 {
             return self.from;
@@ -91,10 +92,10 @@ impl PoseMove {
             return self.to;
         }
         let u = elapsed / self.duration;
-        let way = self.to.origin - self.from.origin;
+        let displacement = self.to.origin - self.from.origin;
         let turn = self.turn();
         Frame {
-            origin: self.from.origin + hermite(u, self.velocity * self.duration, way),
+            origin: self.from.origin + hermite(u, self.velocity * self.duration, displacement),
             rotation: self.from.rotation * from_rotation_vector(hermite(u, self.angular_velocity * self.duration, turn)),
         }
     }
@@ -104,16 +105,16 @@ impl PoseMove {
         (self.to.origin - self.from.origin) / self.duration
     }
 
-    /// Angular velocity at the end, rad/s; the axes of `from` and of `to` see it alike, since it lies along the turn.
+    /// Angular velocity at the end, rad/s; it lies along the turn, so the axes of `from` and of `to` give the same components.
     pub fn final_angular_velocity(&self) -> Vector3<f64> {
         self.turn() / self.duration
     }
 }
 
-/// The cubic from 0 with slope `start` to `way` with slope `way`, at u in [0, 1].
-fn hermite(u: f64, start: Vector3<f64>, way: Vector3<f64>) -> Vector3<f64> {
+/// The cubic from 0 with slope `start` to `displacement` with slope `displacement`, at u in [0, 1].
+fn hermite(u: f64, start: Vector3<f64>, displacement: Vector3<f64>) -> Vector3<f64> {
     let (u2, u3) = (u * u, u * u * u);
-    start * (u3 - 2.0 * u2 + u) + way * ((3.0 * u2 - 2.0 * u3) + (u3 - u2))
+    start * (u3 - 2.0 * u2 + u) + displacement * ((3.0 * u2 - 2.0 * u3) + (u3 - u2))
 }
 
 #[cfg(test)]

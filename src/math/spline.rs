@@ -1,31 +1,31 @@
-//! Cubic curves made into points: what grooms that are given by control points are fitted through.
+//! Cubic curves sampled as points, for grooms given by control points.
 //!
-//! A span goes with four control points. Points are evenly spaced in the spans' parameter; their arclengths are the curve's own, by quadrature
-//! of its speed, not those of the edges between them.
+//! Each span uses four control points. Points are evenly spaced in the spans' parameter. Their arclengths are the curve's own, by
+//! quadrature of its speed, not those of the edges between them.
 
 use nalgebra::Vector3;
 
 use crate::error::{Error, Result, check_finite};
 
-/// What a control point means.
+/// The basis of a curve: what its control points mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SplineKind {
-    /// Uniform Catmull–Rom: the curve goes through the control points; the first and the last only give the directions at the second and the
-    /// last but one.
+    /// Uniform Catmull–Rom: the curve goes through the control points; the first and the last only give the directions at their
+    /// neighbours.
     CatmullRom,
-    /// Uniform cubic B-spline: the curve is near the control points.
+    /// Uniform cubic B-spline: the curve passes near the control points.
     BSpline,
     /// Cubic Bézier spans that share their end points: 3 k + 1 control points.
     Bezier,
 }
 
-/// What happens at the ends of a Catmull–Rom curve or a B-spline; Bézier curves begin and end at their end points anyway.
+/// How a Catmull–Rom curve or a B-spline ends; Bézier curves always end at their end points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SplineEnds {
-    /// There is a span for every four successive control points, and no more (USD: `nonperiodic`).
+    /// One span for every four successive control points, and no more (USD: `nonperiodic`).
     Open,
-    /// The curve begins at the first control point and ends at the last: beyond both a control point is added, as far out as the next one is
-    /// in, straight on (USD: `pinned`).
+    /// The curve begins at the first control point and ends at the last: an extra control point continues the curve straight at
+    /// each end (USD: `pinned`).
     Pinned,
 }
 
@@ -48,10 +48,10 @@ pub struct Spline {
     controls: usize,
 }
 
-/// The most points that a span is made into.
-pub const MOST_POINTS_PER_SPAN: usize = 1024;
+/// The most points per span.
+pub const MAX_POINTS_PER_SPAN: usize = 1024;
 
-/// Nodes and weights of Gauss and Legendre's rule of four points on [0, 1].
+/// Nodes and weights of the four-point Gauss–Legendre rule on [0, 1].
 const RULE: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
     (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
@@ -60,11 +60,11 @@ const RULE: [(f64, f64); 4] = [
 ];
 
 impl Spline {
-    /// A curve of that kind over so many control points.
+    /// A curve of this basis over `controls` control points.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a number of control points of which there is no such curve: at least 4, pinned at least 2, and for
-    /// Bézier spans 3 k + 1.
+    /// [`Error::InvalidArgument`] for a number of control points that gives no such curve: it takes at least 4, pinned at least
+    /// 2, and for Bézier spans 3 k + 1.
     pub fn new(kind: SplineKind, ends: SplineEnds, controls: usize) -> Result<Self> {
         let expected = match (kind, ends) {
             (SplineKind::Bezier, _) if controls < 4 || controls % 3 != 1 => "3 k + 1 for k spans, at least 4",
@@ -84,7 +84,7 @@ impl Spline {
         }
     }
 
-    /// How many points [`Spline::points`] makes: `per_span` a span and one more.
+    /// How many points [`Spline::points`] makes: `per_span` per span and one more.
     pub fn point_count(&self, per_span: usize) -> usize {
         self.spans() * per_span + 1
     }
@@ -92,8 +92,8 @@ impl Spline {
     /// Points of the curve and the arclength at each, from 0.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for control points that are not finite or not as many as said, and for no point a span or more than
-    /// [`MOST_POINTS_PER_SPAN`].
+    /// [`Error::InvalidArgument`] for control points that are not finite or of the wrong number, and for no point per span or
+    /// more than [`MAX_POINTS_PER_SPAN`].
     pub fn points(&self, controls: &[Vector3<f64>], per_span: usize) -> Result<(Vec<Vector3<f64>>, Vec<f64>)> {
         self.check(controls.len(), per_span)?;
         for (index, point) in controls.iter().enumerate() {
@@ -114,7 +114,7 @@ impl Spline {
                 let (span, u) = ((index - 1) / per_span, ((index - 1) % per_span) as f64 * step);
                 let speed = |u: f64| self.sum(span, self.kind.slopes(u), |k| self.control(controls, k)).norm();
                 let arc: f64 = RULE.iter().map(|(node, weight)| weight * speed(u + node * step)).sum::<f64>() * step;
-                // At a cusp quadrature may fall short, of the chord never.
+                // At a cusp quadrature may fall short of the chord.
                 arclength += arc.max((point - last).norm());
             }
             points.push(point);
@@ -123,7 +123,7 @@ impl Spline {
         Ok((points, arclengths))
     }
 
-    /// Numbers that go along with the control points, such as widths, at the same places.
+    /// Interpolates numbers given per control point, such as widths, at the same parameters.
     ///
     /// # Errors
     /// As [`Spline::points`].
@@ -144,13 +144,13 @@ impl Spline {
         if controls != self.controls {
             return Err(Error::invalid("controls", format!("{controls} control points"), format!("{}", self.controls)));
         }
-        if !(1..=MOST_POINTS_PER_SPAN).contains(&per_span) {
-            return Err(Error::invalid("per_span", per_span, format!("1 to {MOST_POINTS_PER_SPAN}")));
+        if !(1..=MAX_POINTS_PER_SPAN).contains(&per_span) {
+            return Err(Error::invalid("per_span", per_span, format!("1 to {MAX_POINTS_PER_SPAN}")));
         }
         Ok(())
     }
 
-    /// Control point `index` of the spans; those of a pinned curve begin one before the first.
+    /// Control point `index` of the spans; a pinned curve's begin one before the first.
     fn control<T>(&self, controls: &[T], index: usize) -> T
     where
         T: Copy + std::ops::Sub<Output = T> + std::ops::Add<Output = T>,
@@ -180,7 +180,7 @@ impl Spline {
 }
 
 impl SplineKind {
-    /// Of the four control points, at u in [0, 1].
+    /// Weights of the four control points, at u in [0, 1].
     fn weights(self, u: f64) -> [f64; 4] {
         let (v, u2, u3) = (1.0 - u, u * u, u * u * u);
         match self {

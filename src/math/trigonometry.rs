@@ -1,4 +1,4 @@
-//! Sine and cosine of our own, so that every machine and every lane width gives the same bits.
+//! Sine and cosine with the same bits on every machine and at every lane width.
 //!
 //! Reduction by π/2 in three parts (Cody and Waite) and the polynomials of fdlibm's `__kernel_sin` and `__kernel_cos`.
 //! Error under 1 ulp of 1 for |x| up to a million radians.
@@ -40,7 +40,7 @@ pub fn sine_cosine<T: Lane>(x: T) -> (T, T) {
     let half = T::splat(0.5) * z;
     let near_one = T::one() - half;
     let cosine = near_one + (((T::one() - near_one) - half) + z * (z * cosine));
-    // The quadrant modulo 4 says which of the two is which, and the signs.
+    // The quadrant modulo 4 decides which of the two is which, and the signs.
     let quarter = quadrant - T::splat(4.0) * (quadrant * T::splat(0.25)).floor();
     let odd = {
         let half_turns = quarter - T::splat(2.0) * (quarter * T::splat(0.5)).floor();
@@ -60,7 +60,7 @@ mod tests {
 
     #[test]
     fn agrees_with_the_standard_library_within_one_ulp_of_one() {
-        // The standard library's own sine is good to under 1 ulp: the two may differ by the sum of both errors.
+        // The standard library's own sine is good to under 1 ulp; the difference may be the sum of both errors.
         let mut worst: f64 = 0.0;
         for step in -400_000..400_000 {
             let x = f64::from(step) * 0.001_37 + f64::from(step % 7) * 1e-9;

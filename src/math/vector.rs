@@ -1,4 +1,4 @@
-//! 3-vectors and 3×3 matrices over lanes, for the kernels. The public interface speaks nalgebra.
+//! 3-vectors and 3×3 matrices over lanes, for the kernels. The public interface uses nalgebra.
 
 use std::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::lane::Lane;
 
-/// A vector from a function of the row. Written out: a closure handed to the standard library would not be compiled for the vector
-/// instructions of its surroundings.
+/// A vector from a function of the row. Written out: a closure passed to the standard library would not be compiled for the
+/// vector instructions of its surroundings.
 macro_rules! vector {
     (|$i:ident| $value:expr) => {
         $crate::math::vector::vector!(@ |$i| $value; 0, 1, 2)

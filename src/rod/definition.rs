@@ -1,4 +1,4 @@
-//! What a host says to make a strand.
+//! The definition of a strand, as a host gives it.
 
 use std::fmt;
 
@@ -9,10 +9,10 @@ use super::material::Material;
 use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::frame::Frame;
 
-/// The most elements that one strand may have.
+/// The largest number of elements of one strand.
 pub const MAX_ELEMENTS: usize = 100_000;
 
-/// What a strand is made from. Curvature rows are (twist κ0, κ1, κ2) in rad/m, one an element.
+/// The definition of a strand. Curvature rows are (twist κ0, κ1, κ2) in rad/m, one per element.
 ///
 /// ```
 /// use superhelix::nalgebra::Vector3;
@@ -39,17 +39,17 @@ pub struct StrandDef {
     pub freedoms: Freedoms,
     /// Pose of the follicle in the world: n0 (first axis) is where the strand leaves.
     pub root: Frame,
-    /// Natural curvatures, a row an element.
+    /// Natural curvatures, one row per element.
     pub natural: Vec<[f64; 3]>,
-    /// Initial curvatures, a row an element; `None`: the natural ones. Frozen freedoms must hold their natural value.
+    /// Initial curvatures, one row per element; `None` for the natural ones. Frozen freedoms must have their natural value.
     pub initial: Option<Vec<[f64; 3]>>,
-    /// Initial rates of the curvatures, rad/(m·s), a row an element; `None`: at rest. Frozen freedoms must have rate 0.
+    /// Initial rates of the curvatures, rad/(m·s), one row per element; `None` for rest. Frozen freedoms must have rate 0.
     pub initial_rates: Option<Vec<[f64; 3]>>,
     /// Velocity of the root's origin at the start, m/s; the strand starts by moving rigidly with its root.
     pub root_velocity: Vector3<f64>,
     /// Angular velocity of the root at the start, world axes, rad/s.
     pub root_angular_velocity: Vector3<f64>,
-    /// A number of the host's, kept and never looked at.
+    /// The host's own number; the solver keeps it and never reads it.
     pub user_data: u64,
 }
 
@@ -75,7 +75,7 @@ impl StrandDef {
         self.element_lengths.iter().sum()
     }
 
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -104,7 +104,7 @@ impl StrandDef {
     }
 }
 
-/// Checks the numbers of a list of elements' lengths.
+/// Checks a list of element lengths.
 pub(crate) fn check_lengths(argument: impl fmt::Display, lengths: &[f64]) -> Result<()> {
     lengths.iter().enumerate().try_for_each(|(element, length)| check_positive(|| format!("{argument}[{element}]"), *length))
 }
@@ -112,7 +112,7 @@ pub(crate) fn check_lengths(argument: impl fmt::Display, lengths: &[f64]) -> Res
 /// Checks the count and the numbers of a list of curvature rows.
 pub(crate) fn check_rows(argument: impl fmt::Display, rows: &[[f64; 3]], count: usize) -> Result<()> {
     if rows.len() != count {
-        return Err(Error::invalid(format!("{argument} (count)"), rows.len(), format!("{count} rows, one an element")));
+        return Err(Error::invalid(format!("{argument} (count)"), rows.len(), format!("{count} rows, one per element")));
     }
     for (element, row) in rows.iter().enumerate() {
         for axis in 0..3 {
@@ -122,7 +122,7 @@ pub(crate) fn check_rows(argument: impl fmt::Display, rows: &[[f64; 3]], count: 
     Ok(())
 }
 
-/// Checks that frozen freedoms hold the value they are frozen at.
+/// Checks that frozen freedoms have the value at which they are frozen.
 pub(crate) fn check_frozen(
     argument: impl fmt::Display,
     rows: &[[f64; 3]],

@@ -1,8 +1,8 @@
-//! Which of a strand's curvatures may change: what a scene requires.
+//! Which of a strand's curvatures may change.
 
 use crate::error::{Error, Result};
 
-/// A set of freedoms. One that is left out is held at its natural value and costs nothing in the solve.
+/// A set of freedoms. A curvature left out keeps its natural value and costs nothing in the solve.
 ///
 /// ```
 /// use superhelix::{Freedoms, StrandDef};

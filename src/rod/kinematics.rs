@@ -1,6 +1,6 @@
-//! Where all the quadrature points of a strand are, from the curvatures and the root's rotation: one pass from root to tip.
+//! Positions of all quadrature points of a strand, from the curvatures and the root's rotation: one pass from root to tip.
 //!
-//! Positions are relative to the root's origin in world axes, so that a strand far from the world's origin keeps its digits.
+//! Positions are relative to the root's origin in world axes, so that a strand far from the world's origin loses no digits.
 
 use crate::math::entire::Stumpff;
 use crate::math::lane::Lane;
@@ -47,7 +47,7 @@ pub struct PointState<T> {
 pub struct Kinematics<T> {
     /// From root to tip.
     pub elements: Vec<ElementState<T>>,
-    /// `points_per_element` an element, from root to tip.
+    /// From root to tip, `points_per_element` per element.
     pub points: Vec<PointState<T>>,
     /// Points of the quadrature rule.
     pub points_per_element: usize,
@@ -59,7 +59,7 @@ impl<T> Default for Kinematics<T> {
     }
 }
 
-/// The element of curvature κ and length ℓ whose left end is given.
+/// The element of curvature κ and length ℓ with the given left end.
 #[inline(always)]
 pub fn element_state<T: Lane>(kappa: Vec3<T>, length: T, frame_left: Mat3<T>, origin_left: Vec3<T>) -> ElementState<T> {
     let kappa_squared = kappa.norm_squared();
@@ -78,7 +78,7 @@ pub fn element_state<T: Lane>(kappa: Vec3<T>, length: T, frame_left: Mat3<T>, or
     }
 }
 
-/// The elements of a strand, each from where the one before it ends; the first has its left end at the origin, with this frame.
+/// The elements of a strand, each starting where the one before ends; the first has its left end at the origin, with this frame.
 pub fn element_states<T: Lane>(
     frame: Mat3<T>,
     lengths: impl IntoIterator<Item = T>,
@@ -95,13 +95,14 @@ pub fn element_states<T: Lane>(
 }
 
 impl ElementState<f64> {
-    /// How far a point of it is, at most, from the point at the same fraction of its chord, m, see [`Self::off_chord_of`].
+    /// An upper bound on the distance of a point of the element from the point at the same fraction of its chord, m: see
+    /// [`Self::off_chord_of`].
     pub fn off_chord(&self) -> f64 {
         self.off_chord_of(self.length)
     }
 
-    /// The same of a piece of some length, m: a curve r(s) is off its linear interpolation by no more than |r''| length²/8, and never by more than
-    /// half its length.
+    /// The same for a piece of this length, m: a curve r(s) differs from its linear interpolation by at most |r''| length²/8, and never
+    /// by more than half its length.
     pub fn off_chord_of(&self, length: f64) -> f64 {
         0.5 * length * (0.25 * self.kappa_squared.sqrt() * length).min(1.0)
     }
@@ -161,7 +162,7 @@ impl<T: Lane> ElementState<T> {
     }
 }
 
-/// Calls `emit(point index, position)` for every quadrature point and keeps nothing else; positions as in [`PointState::position`].
+/// Calls `emit(point index, position)` for every quadrature point and stores nothing; positions as in [`PointState::position`].
 #[inline(always)]
 pub fn for_each_position<T: Lane>(
     root: &Mat3<T>,
@@ -181,7 +182,7 @@ pub fn for_each_position<T: Lane>(
 }
 
 impl<T: Lane> Kinematics<T> {
-    /// Brings all elements and points to the curvatures `curvatures` (a row an element).
+    /// Computes all elements and points for `curvatures` (one row per element).
     #[inline(always)]
     pub fn update(&mut self, root: &Mat3<T>, lengths: &[T], curvatures: &[[T; 3]], rule: &Rule) {
         self.elements.clear();

@@ -1,16 +1,16 @@
-//! One strand at rest in itself: material, freedoms, kinematics.
+//! One strand by itself: material, freedoms, kinematics.
 //!
 //! Files:
 //!
-//! - `definition.rs`: What a host says to make a strand.
-//! - `freedoms.rs`: Which of a strand's curvatures may change: what a scene requires.
-//! - `kinematics.rs`: Where all the quadrature points of a strand are, from the curvatures and the root's rotation: one pass from root to tip.
-//! - `material.rs`: What a strand is made of: section, material, dissipation; and the stiffnesses and densities along it that follow.
-//! - `section.rs`: What strands of one kind have in common: section, material, freedoms, and the numbers that follow from them.
+//! - `definition.rs`: The definition of a strand, as a host gives it.
+//! - `freedoms.rs`: Which of a strand's curvatures may change.
+//! - `kinematics.rs`: Positions of all quadrature points of a strand, from the curvatures and the root's rotation: one pass from root to tip.
+//! - `material.rs`: The material and section of a strand, and the stiffnesses and densities that follow.
+//! - `section.rs`: What strands of one make share: section, material, freedoms, and the numbers that follow from them.
 //! - `segment.rs`: Kinematics of one helical segment in the frame of its left end, and its first and second variations.
-//! - `strand.rs`: What does not change about a strand while it moves: its elements, its material, its natural shape, its freedoms.
-//! - `turning.rs`: How far elements turn: a helix cannot bend its own axis, so that a tight coil needs about four elements a turn.
-//! - `uniform_points.rs`: Where points of several strands are, worked out side by side: the way of reading a whole groom.
+//! - `strand.rs`: The constants of a strand: its elements, material, natural shape and freedoms.
+//! - `turning.rs`: How far elements turn: a helix cannot bend its own axis, so a tight coil needs about four elements per turn.
+//! - `uniform_points.rs`: Points of several strands side by side: how a whole groom is read at once.
 //! - `velocity.rs`: Velocities and velocity-product accelerations along a strand from the rates of its curvatures.
 
 pub mod definition;

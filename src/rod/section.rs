@@ -1,9 +1,9 @@
-//! What strands of one kind have in common: section, material, freedoms, and the numbers that follow from them.
+//! What strands of one make share: section, material, freedoms, and the numbers that follow from them.
 
 use super::freedoms::Freedoms;
 use super::material::Material;
 
-/// Constants along a strand. Strands that agree in them share one.
+/// Constants along a strand. Equal strands share one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
     /// Section and material.

@@ -1,4 +1,4 @@
-//! What does not change about a strand while it moves: its elements, its material, its natural shape, its freedoms.
+//! The constants of a strand: its elements, material, natural shape and freedoms.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -7,12 +7,12 @@ use super::freedoms::Freedoms;
 use super::material::Material;
 use super::section::Section;
 
-/// One strand's constants, as the kernels want them. Those of its [`Section`] are read as if they were fields: `model.stiffness`.
+/// One strand's constants, as the kernels read them. The fields of its [`Section`] read like its own: `model.stiffness`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StrandModel {
     /// Element lengths ℓ from root to tip, m.
     pub lengths: Box<[f64]>,
-    /// Natural curvatures κⁿ, a row an element.
+    /// Natural curvatures κⁿ, one row per element.
     pub natural: Box<[[f64; 3]]>,
     section: Arc<Section>,
     equal_length: f64,
@@ -27,8 +27,8 @@ impl Deref for StrandModel {
     }
 }
 
-/// The element of a chain of such lengths (m) on which the point at an arclength is, and its arclength there, m: an end of the chain for what lies
-/// beyond. At a joint: the element before it.
+/// The element of a chain of these lengths (m) that holds the point at an arclength, and the arclength on that element, m. An
+/// arclength beyond an end gives that end; at a border the element before it.
 pub fn place_on(lengths: impl ExactSizeIterator<Item = f64>, arclength: f64) -> (usize, f64) {
     let (mut rest, count) = (arclength, lengths.len());
     for (element, length) in lengths.enumerate() {
@@ -41,19 +41,19 @@ pub fn place_on(lengths: impl ExactSizeIterator<Item = f64>, arclength: f64) -> 
 }
 
 impl StrandModel {
-    /// From its definition's parts.
+    /// From a definition's fields.
     pub fn new(lengths: Vec<f64>, natural: Vec<[f64; 3]>, material: Material, freedoms: Freedoms) -> Self {
         Self::of_section(lengths, natural, Arc::new(Section::new(material, freedoms)))
     }
 
-    /// The same of a section that others share.
+    /// The same with a section that other strands share.
     pub fn of_section(lengths: Vec<f64>, natural: Vec<[f64; 3]>, section: Arc<Section>) -> Self {
         let equal = lengths.iter().all(|length| (length - lengths[0]).abs() <= 1e-14 * lengths[0]);
         let equal_length = if equal { lengths.first().copied().unwrap_or_default() } else { 0.0 };
         Self { lengths: lengths.into(), natural: natural.into(), section, equal_length }
     }
 
-    /// The section, to be shared.
+    /// The shared section.
     pub fn section(&self) -> &Arc<Section> {
         &self.section
     }
@@ -63,7 +63,7 @@ impl StrandModel {
         self.lengths.len()
     }
 
-    /// The elements' length if all are as long as the first, to rounding; otherwise nothing.
+    /// The elements' length if all equal the first, to rounding; otherwise `None`.
     #[inline(always)]
     pub fn equal_length(&self) -> Option<f64> {
         (self.equal_length > 0.0).then_some(self.equal_length)
@@ -74,7 +74,7 @@ impl StrandModel {
         self.lengths.iter().sum()
     }
 
-    /// The element on which the point at an arclength is, and its arclength there, m: an end of the strand for what lies beyond.
+    /// The element that holds the point at an arclength, and the arclength on it, m; beyond an end, that end.
     pub fn place(&self, arclength: f64) -> (usize, f64) {
         place_on(self.lengths.iter().copied(), arclength)
     }
@@ -90,8 +90,8 @@ impl StrandModel {
         self.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest)
     }
 
-    /// What a cantilever of its length resists at its tip with, about the axis that it bends about more easily: 3 EI/L³, N/m, and by internal friction,
-    /// 3 γ/L³, N·s/m.
+    /// The tip stiffness of a cantilever of the strand's length about its softer bending axis, 3 EI/L³, N/m, and its tip damping
+    /// by internal friction, 3 γ/L³, N·s/m.
     pub fn cantilever(&self) -> [f64; 2] {
         let axis = if self.stiffness[1] <= self.stiffness[2] { 1 } else { 2 };
         let length = self.length();

@@ -1,33 +1,33 @@
-//! How far elements turn: a helix cannot bend its own axis, so that a tight coil needs about four elements a turn.
+//! How far elements turn: a helix cannot bend its own axis, so a tight coil needs about four elements per turn.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::definition::StrandDef;
 
-/// The largest turn Ωℓ of an element, rad, up to which a strand moves as it should.
+/// The largest turn Ωℓ of an element, rad, up to which a strand moves faithfully.
 pub const LARGEST_TURN: f64 = FRAC_PI_2;
 
 /// A strand with an element that turns by more than a quarter turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coarse {
-    /// Which of the strands looked at.
+    /// Which of the examined strands.
     pub strand: usize,
     /// The largest turn of one of its elements, rad.
     pub turn: f64,
-    /// How many elements of equal length would bring it to a quarter turn.
+    /// How many elements of equal length would bring this turn down to a quarter turn.
     pub advised: usize,
 }
 
-/// Which shapes of a strand count.
+/// Which shapes of a strand to examine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shapes {
-    /// The one it starts with: a natural shape that only makes up for gravity may be curled where no strand ever goes.
+    /// The initial shape: a natural shape that only compensates gravity may have curls that the strand never reaches.
     Initial,
-    /// The natural one as well.
+    /// The natural shape as well.
     All,
 }
 
-/// The largest turn Ωℓ of elements, rad; a row of curvatures an element.
+/// The largest turn Ωℓ of elements, rad; one row of curvatures per element.
 pub fn largest_turn(lengths: &[f64], rows: &[[f64; 3]]) -> f64 {
     let turns = lengths.iter().zip(rows).map(|(length, [k0, k1, k2])| (k0 * k0 + k1 * k1 + k2 * k2).sqrt() * length);
     turns.fold(0.0, f64::max)
@@ -43,7 +43,7 @@ pub fn largest_turn_of(strand: &StrandDef, shapes: Shapes) -> f64 {
     }
 }
 
-/// The strands whose elements turn by more than a quarter turn: such an element moves too stiffly.
+/// The strands with elements that turn by more than a quarter turn: such an element is too stiff.
 pub fn coarse_strands<'a>(strands: impl Iterator<Item = &'a StrandDef>, shapes: Shapes) -> Vec<Coarse> {
     strands
         .enumerate()

@@ -1,27 +1,29 @@
-//! Where points of several strands are, worked out side by side: the way of reading a whole groom.
+//! Points of several strands side by side: how a whole groom is read at once.
 //!
-//! The strands have elements in equal number and are asked for points at the same places of them. Every function is a loop over
-//! strands without a branch in it, which compilers make vector instructions of; a strand's numbers do not depend on its neighbours.
+//! The strands have equal numbers of elements, and points are asked for at the same places of them. Every function is a loop over
+//! strands without a branch, which compilers vectorise. A strand's numbers do not depend on its neighbours.
 //!
-//! Along the strand everything is f64: frames of the elements' ends as quaternions, ends as vectors from the root. Within an element
-//! the point is [`Real`]: in f32 it is off by some 1e-7 of the strand's length, however many elements there are. With θ = xℓκ, y = |θ|/2:
+//! Along the strand everything is f64: frames of the elements' ends as quaternions, ends as vectors from the root. Within an
+//! element the point is [`Real`]: in f32 it is off by some 1e-7 of the strand's length, for any number of elements. With θ = xℓκ,
+//! y = |θ|/2:
 //!
 //! ```text
 //! frame     quaternion (θ/2 · sin y / y, cos y),
 //! chord     V e0 = e0 + c2 (θ × e0) + c3 (θ θ0 − e0 θ·θ), c1 = sin y cos y / y, c2 = ½ (sin y / y)², c3 = (1 − c1)/(4 y²),
 //! ```
 //!
-//! as in `rod::segment`. Where y vanishes it is held at a value whose square is below rounding: what c3 then loses is multiplied by θ².
+//! as in `rod::segment`. As y vanishes it is bounded below by a value whose square is less than rounding; c3's error there is
+//! multiplied by θ².
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::math::lane::Lane;
 use crate::math::trigonometry::sine_cosine;
 
-/// Strands that go side by side.
+/// How many strands go side by side.
 pub const WIDTH: usize = 16;
 
-/// A number for each of the strands.
+/// One number per strand.
 pub type Lanes<T> = [T; WIDTH];
 
 /// The number type within an element: f32 or f64.
@@ -37,7 +39,7 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Half an angle below which the helix is taken for straight to rounding.
+    /// Half angle below which a helix is straight to rounding.
     const SMALLEST: f64;
     /// The nearest number.
     fn near(value: f64) -> Self;
@@ -71,15 +73,15 @@ impl Real for f32 {
         value as f32
     }
 
-    /// The angle is taken to its quadrant in f64, so that an element of many turns loses nothing; the polynomials (cephes' sinf and cosf)
-    /// are good to an ulp.
+    /// The angle is reduced to its quadrant in f64, so that an element of many turns loses nothing; the polynomials (cephes' sinf
+    /// and cosf) are good to an ulp.
     #[inline(always)]
     fn sines_cosines(angles: &Lanes<f64>) -> (Lanes<f32>, Lanes<f32>) {
         let (mut rests, mut quarters) = ([0.0_f32; WIDTH], [0.0_f32; WIDTH]);
         for lane in 0..WIDTH {
             let quadrant = Lane::round(angles[lane] * std::f64::consts::FRAC_2_PI);
             rests[lane] = (angles[lane] - quadrant * std::f64::consts::FRAC_PI_2) as f32;
-            // The quadrant modulo 4: its quarters are 0, ¼, ½ and ¾ beyond a whole number.
+            // The quadrant modulo 4: its quarters are 0, ¼, ½ and ¾ above a whole number.
             quarters[lane] = (quadrant - 4.0 * Lane::round(quadrant * 0.25 - 0.375)) as f32;
         }
         let (mut sines, mut cosines) = ([0.0; WIDTH], [0.0; WIDTH]);
@@ -97,7 +99,7 @@ impl Real for f32 {
     }
 }
 
-/// The left ends of the strands' present elements, and the elements.
+/// The strands' current elements, and their left ends.
 #[derive(Debug, Clone)]
 pub struct Walk {
     /// From the root, world axes.
@@ -112,7 +114,7 @@ pub struct Walk {
     half_angle: Lanes<f64>,
 }
 
-/// An element as its points need it.
+/// An element, prepared for its points.
 #[derive(Debug, Clone, Copy)]
 pub struct Element<T> {
     origin: [Lanes<T>; 3],
@@ -124,21 +126,21 @@ pub struct Element<T> {
     half_angle: Lanes<f64>,
 }
 
-/// A point in an element: from its left end, world axes; and the rotation from there, in the element's axes.
+/// A point in an element: its position from the left end, world axes, and the rotation from there, in the element's axes.
 struct Local<T> {
-    way: [Lanes<T>; 3],
+    offset: [Lanes<T>; 3],
     rotation: [Lanes<T>; 4],
 }
 
 impl Walk {
-    /// At the roots: quaternions x, y, z, w of their frames, and the lengths of the strands' elements.
+    /// Starts at the roots: quaternions x, y, z, w of their frames, and the lengths of the strands' elements.
     #[inline(always)]
     pub fn new(rotation: [Lanes<f64>; 4], length: Lanes<f64>) -> Self {
         let zero = [0.0; WIDTH];
         Self { origin: [zero; 3], rotation, length, turn: [zero; 3], half_angle: zero }
     }
 
-    /// Begins the elements of curvatures κ.
+    /// Enters elements of curvatures κ.
     #[inline(always)]
     pub fn enter(&mut self, curvatures: &[Lanes<f64>; 3]) {
         let [k0, k1, k2] = curvatures;
@@ -150,7 +152,7 @@ impl Walk {
         }
     }
 
-    /// The present element.
+    /// The current element.
     #[inline(always)]
     pub fn element<T: Real>(&self) -> Element<T> {
         let none = [T::default(); WIDTH];
@@ -183,33 +185,33 @@ impl Walk {
         }
     }
 
-    /// Goes to the present elements' right ends.
+    /// Moves to the right ends of the current elements.
     #[inline(always)]
     pub fn leave(&mut self) {
         let element = self.element::<f64>();
-        let Local { way, rotation } = element.local(1.0);
+        let Local { offset, rotation } = element.local(1.0);
         self.rotation = product(&self.rotation, &rotation);
         for axis in 0..3 {
             for lane in 0..WIDTH {
-                self.origin[axis][lane] += way[axis][lane];
+                self.origin[axis][lane] += offset[axis][lane];
             }
         }
     }
 }
 
 impl<T: Real> Element<T> {
-    /// The points at `x` of the elements' lengths: `base` plus the way from the root, rounded once.
+    /// The points at `x` of the elements' lengths: `base` plus the offset from the root, rounded once.
     #[inline(always)]
     pub fn position(&self, x: f64, base: &[Lanes<f64>; 3]) -> [Lanes<T>; 3] {
-        let Local { way, .. } = self.local(x);
-        self.place(&way, base)
+        let Local { offset, .. } = self.local(x);
+        self.place(&offset, base)
     }
 
     /// The same, and the quaternions of the frames there.
     #[inline(always)]
     pub fn pose(&self, x: f64, base: &[Lanes<f64>; 3]) -> ([Lanes<T>; 3], [Lanes<T>; 4]) {
-        let Local { way, rotation } = self.local(x);
-        (self.place(&way, base), product(&self.rotation, &rotation))
+        let Local { offset, rotation } = self.local(x);
+        (self.place(&offset, base), product(&self.rotation, &rotation))
     }
 
     /// The quaternions x, y, z, w of the frames at `x` of the elements' lengths.
@@ -219,11 +221,11 @@ impl<T: Real> Element<T> {
     }
 
     #[inline(always)]
-    fn place(&self, way: &[Lanes<T>; 3], base: &[Lanes<f64>; 3]) -> [Lanes<T>; 3] {
+    fn place(&self, offset: &[Lanes<T>; 3], base: &[Lanes<f64>; 3]) -> [Lanes<T>; 3] {
         let mut out = [[T::default(); WIDTH]; 3];
         for axis in 0..3 {
             for lane in 0..WIDTH {
-                out[axis][lane] = T::near(base[axis][lane] + (self.origin[axis][lane] + way[axis][lane]).into());
+                out[axis][lane] = T::near(base[axis][lane] + (self.origin[axis][lane] + offset[axis][lane]).into());
             }
         }
         out
@@ -239,23 +241,23 @@ impl<T: Real> Element<T> {
             narrow_halves[lane] = T::near(halves[lane]);
         }
         let (sines, cosines) = T::sines_cosines(&halves);
-        let (one, half, quarter, share) = (T::near(1.0), T::near(0.5), T::near(0.25), T::near(x));
+        let (one, half, quarter, fraction) = (T::near(1.0), T::near(0.5), T::near(0.25), T::near(x));
         let none = [T::default(); WIDTH];
-        let (mut way, mut rotation) = ([none; 3], [none; 4]);
+        let (mut offset, mut rotation) = ([none; 3], [none; 4]);
         for lane in 0..WIDTH {
             let inverse = one / narrow_halves[lane];
             let ratio = sines[lane] * inverse;
             let c1 = ratio * cosines[lane];
             let c2 = half * ratio * ratio;
             let c3 = (one - c1) * (quarter * inverse * inverse);
-            let (t0, t1, t2) = (share * self.turn[0][lane], share * self.turn[1][lane], share * self.turn[2][lane]);
-            let s = share * self.length[lane];
+            let (t0, t1, t2) = (fraction * self.turn[0][lane], fraction * self.turn[1][lane], fraction * self.turn[2][lane]);
+            let s = fraction * self.length[lane];
             let along = s * (one - c3 * (t1 * t1 + t2 * t2));
             let beside = s * (c2 * t2 + c3 * t1 * t0);
             let above = s * (c3 * t2 * t0 - c2 * t1);
             for row in 0..3 {
                 let [a, b, c] = &self.frame[row];
-                way[row][lane] = a[lane] * along + b[lane] * beside + c[lane] * above;
+                offset[row][lane] = a[lane] * along + b[lane] * beside + c[lane] * above;
             }
             let scale = half * ratio;
             rotation[0][lane] = scale * t0;
@@ -263,7 +265,7 @@ impl<T: Real> Element<T> {
             rotation[2][lane] = scale * t2;
             rotation[3][lane] = cosines[lane];
         }
-        Local { way, rotation }
+        Local { offset, rotation }
     }
 }
 
@@ -304,8 +306,8 @@ mod tests {
         (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
-    /// Farthest points and frames from the kernels of one strand, in units of the strands' length and of one: strands whose elements turn
-    /// by up to `angle`.
+    /// The largest errors of points and frames against the kernels of one strand, relative to the strand's length and to one, for
+    /// strands whose elements turn by up to `angle`.
     fn errors<T: Real>(elements: usize, angle: f64) -> (f64, f64) {
         let mut seed = 7 + elements as u64;
         let mut length = [0.0; WIDTH];
@@ -325,7 +327,7 @@ mod tests {
         for _ in 0..elements {
             let mut curvatures = [[0.0; WIDTH]; 3];
             for lane in 0..WIDTH {
-                // Every fourth strand is straight, or nearly so.
+                // Every fourth strand is straight or nearly so.
                 let size = [1.0, 1.0, 1e-7, 0.0][lane % 4] * angle / length[lane] / 3.0_f64.sqrt();
                 (0..3).for_each(|axis| curvatures[axis][lane] = size * noise(&mut seed));
             }

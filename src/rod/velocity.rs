@@ -20,14 +20,14 @@ pub struct RootMotion<T = f64> {
 }
 
 impl<T: Lane> RootMotion<T> {
-    /// A root that does not move.
+    /// A root at rest.
     pub fn still() -> Self {
         let zero = Vec3::zero();
         Self { velocity: zero, angular_velocity: zero, acceleration: zero, angular_acceleration: zero }
     }
 }
 
-/// Velocity and acceleration without q̈ of the left end of an element, and the rates of its own frame.
+/// Velocity and acceleration (without q̈) of an element's left end, and the rates of its own frame.
 #[derive(Clone, Copy)]
 struct LeftEnd<T> {
     velocity: Vec3<T>,

@@ -1,8 +1,8 @@
-//! Strands that a substep did not bring through: left before an iteration, carried over a jump of their root, or rolled back and brought back.
+//! Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
 //!
-//! Such a strand keeps its shape and goes along with its root. Bodies go on meanwhile: what one went past in a substep that the strand was
-//! not part of it is to meet in those to come, so that the side that the strand is on is never forgotten. For it the body comes after by no more
-//! in a substep than such a strand can follow, until it is where it is for all others.
+//! Such a strand keeps its shape and moves with its root. Meanwhile bodies move on. A body that passed it in a substep without it
+//! must meet it in later substeps, so that the strand's side of the body is never forgotten. For that strand the body follows in
+//! steps no larger than the strand can follow, until it is at its true position.
 
 use nalgebra::Vector3;
 
@@ -14,124 +14,127 @@ use crate::math::quadrature::Rules;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
 use crate::step::StrandOutcome;
 
-/// A strand that is rolled back for so many seconds on end is brought back: from the shape that it had to its natural one, in so many.
+/// A strand that has been rolled back for this many seconds without a break is brought back from its shape to its natural one, in
+/// this many seconds.
 const LOST_FOR: f64 = 0.1;
 const RETURNS_IN: f64 = 0.25;
 
-/// A body comes after a strand by this share of what it is ahead at least.
-const LEAST_SHARE: f64 = 1.0 / 64.0;
+/// The least fraction of its lead by which a body follows for a strand.
+const MIN_FRACTION: f64 = 1.0 / 64.0;
 
-/// What it is to come after by no more than this part of what a strand can follow, it does at once.
+/// A body follows at once for the last of its lead, up to this fraction of what a strand can follow.
 const NEAR_ENOUGH: f64 = 0.1;
-/// It asks for half as much after each substep that could not follow, so often at most.
-const MOST_HALVINGS: u32 = 20;
+/// After each substep that could not follow, a body follows by half as much, at most this often.
+const MAX_HALVINGS: u32 = 20;
 
-/// What is kept of a strand that is not where a substep would have brought it.
+/// The record of a strand that is not where a substep would have brought it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Astray {
-    /// Where bodies stand for it when the coming substep begins: where they were at the last one that it came through, as seen from its root; or, when
-    /// that has jumped, where they jump to. One a body, or none: where they are.
+    /// The bodies' poses for the strand at the start of the next substep: their poses at its last good substep as seen from its
+    /// root or, if that jumped, the poses to which they jump. One per body; empty for their true poses.
     pub bodies: Vec<Frame>,
     pub state: Whereabouts,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Whereabouts {
-    /// It was carried along in the last substeps, for so many seconds on end, and goes on: bodies come after it.
+    /// The last substeps carried it along, for this many seconds without a break, and bodies follow for it.
     Carried { seconds: f64 },
-    /// It came through, but in a body or behind one, for so many seconds on end: it is to meet all of what went past it in the next.
+    /// It converged, but inside a body or behind one, for this many seconds without a break: in the next substep it meets
+    /// everything that passed it.
     Behind { seconds: f64 },
-    /// It was rolled back in the last substeps, for so many seconds on end.
+    /// The last substeps rolled it back, for this many seconds without a break.
     Lost { seconds: f64 },
-    /// It is on its way from this shape to its natural one, for so many seconds, and touches nothing.
+    /// It has been returning from this shape to its natural one for this many seconds, without contact.
     Returning { seconds: f64, from: Box<[[f64; 3]]> },
 }
 
 impl Strand {
-    /// Where bodies stand for it when the coming substep begins, if not where they are.
+    /// The bodies' poses for it at the start of the next substep, if not their true ones.
     pub fn bodies_from(&self) -> &[Frame] {
         self.astray.as_deref().map_or(&[], |astray| &astray.bodies)
     }
 
-    /// From where to where bodies go for it in the coming substep of `h` seconds, if not as they go. Its root's way has begun.
+    /// The bodies' motions for it in the next substep of `h` seconds, if not their true ones. Its root's motion has begun.
     pub fn ways_of_bodies(&self, h: f64, bodies: &[BodyAt], ways: &mut Vec<[Frame; 2]>) {
         ways.clear();
         let from = self.bodies_from();
         if from.len() != bodies.len() {
             return;
         }
-        // Where a substep could not follow the next asks for less.
-        let failed = (self.carried_for() / h).min(f64::from(MOST_HALVINGS)).round() as u32;
-        let share_asked = 1.0 / f64::from(1_u32 << failed);
+        // Where a substep could not follow, the next one takes less.
+        let failed = (self.carried_for() / h).min(f64::from(MAX_HALVINGS)).round() as u32;
+        let requested_fraction = 1.0 / f64::from(1_u32 << failed);
         let (root, length) = (self.root_during(h), self.model.length());
         ways.extend(bodies.iter().zip(from).map(|(body, from)| {
             let passing = Passing::new(from, body, &root, length);
             let near = !self.is_carried() || passing.travel <= NEAR_ENOUGH * passing.limit;
-            let share = if near { 1.0 } else { (passing.limit / passing.travel).clamp(LEAST_SHARE, 1.0) * share_asked };
-            [*from, if share < 1.0 { between(&passing.along, &body.end, share) } else { body.end }]
+            let fraction =
+                if near { 1.0 } else { (passing.limit / passing.travel).clamp(MIN_FRACTION, 1.0) * requested_fraction };
+            [*from, if fraction < 1.0 { between(&passing.along, &body.end, fraction) } else { body.end }]
         }));
     }
 
-    /// A substep brought it through in which bodies came so far for it, and not to where they are.
+    /// It converged in a substep in which bodies followed this far for it, and not to their true poses.
     pub fn goes_after(&mut self, came_to: Vec<Frame>) {
         self.astray = Some(Box::new(Astray { bodies: came_to, state: Whereabouts::Carried { seconds: 0.0 } }));
     }
 
-    /// Whether it was carried along in the last substep: bodies come after it.
+    /// Whether the last substep carried it along: bodies follow for it.
     pub fn is_carried(&self) -> bool {
         matches!(self.astray.as_deref(), Some(Astray { state: Whereabouts::Carried { .. }, .. }))
     }
 
-    /// Whether it takes no part in the scene: it is on its way back, or stands still.
+    /// Whether it is outside the scene: it is returning, or frozen.
     pub fn is_aside(&self) -> bool {
         self.frozen.is_some() || self.is_returning()
     }
 
-    /// Whether it is on its way back, and no part of the scene until it is there.
+    /// Whether it is returning, and outside the scene until it has arrived.
     pub fn is_returning(&self) -> bool {
         self.astray.as_deref().is_some_and(|astray| matches!(astray.state, Whereabouts::Returning { .. }))
     }
 
-    /// Its root jumps: it goes there at once. `bodies` are to be told.
+    /// Its root jumps to a pose at once. The caller then sets `bodies`.
     pub fn jump_to(&mut self, root: Frame) {
         self.state.teleport(root);
         self.root_move = None;
         self.astray = Some(Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
     }
 
-    /// Takes it through a substep of `h` seconds as its root goes, its shape kept: nothing else is done for it. `bodies`: those that it did not meet so.
-    /// Its velocities turn with it.
+    /// Takes it through a substep of `h` seconds with its root, its shape kept, without any other work. `bodies`: those that it
+    /// did not meet. Its velocities turn along.
     pub fn go_with_root(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
         self.begin_root_way(h);
         let seconds = self.astray_for() + h;
-        self.go_along(h, bodies, Whereabouts::Carried { seconds });
-        self.forget_what_is_out_of_reach(seconds);
+        self.move_with_root(h, bodies, Whereabouts::Carried { seconds });
+        self.drop_unreachable_bodies(seconds);
         self.advance_root(h);
         let outcome = StrandOutcome { converged: false, left: true, energies: self.energies, ..StrandOutcome::default() };
         self.fared = (&outcome).into();
         outcome
     }
 
-    /// The same, and its velocities are those of that motion: kept, they would ask as much of every substep to come as of the one that could not be
-    /// done.
+    /// The same, with the velocities of that motion. Its own velocities would make every later substep as hard as the one that
+    /// failed.
     pub fn carry_along(&mut self, h: f64, bodies: &[BodyAt], rules: &Rules) -> StrandOutcome {
         let from = self.state.root;
         let outcome = self.go_with_root(h, bodies);
-        self.moves_as_its_root(&from, h, rules);
+        self.set_rigid_velocities(&from, h, rules);
         outcome
     }
 
-    /// A substep of `h` seconds took it through, but left it in a body, or behind one: those to come are to see what went past it. `before`: its root
-    /// when the substep began; `astray`: what was kept of it then.
+    /// It converged in a substep of `h` seconds, but inside a body or behind one: later substeps must see what passed it.
+    /// `before`: its root at the start of the substep; `astray`: its record then.
     pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], astray: Option<Box<Astray>>) {
         self.astray = astray;
         let (to, seconds) = (self.state.root, self.astray_for() + h);
-        let astray = self.begin_to_stray(bodies, Whereabouts::Behind { seconds });
+        let astray = self.start_divergence(bodies, Whereabouts::Behind { seconds });
         take_along(&mut astray.bodies, before, &to);
-        self.forget_what_is_out_of_reach(seconds);
+        self.drop_unreachable_bodies(seconds);
     }
 
-    fn begin_to_stray(&mut self, bodies: &[BodyAt], state: Whereabouts) -> &mut Astray {
+    fn start_divergence(&mut self, bodies: &[BodyAt], state: Whereabouts) -> &mut Astray {
         let meets = self.contact.is_some();
         let astray = self.astray.get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: state.clone() }));
         astray.state = state;
@@ -145,7 +148,7 @@ impl Strand {
         if self.is_carried() { self.astray_for() } else { 0.0 }
     }
 
-    /// For how many seconds on end no substep brought it through.
+    /// The time without a break for which it has diverged, s.
     fn astray_for(&self) -> f64 {
         use Whereabouts::{Behind, Carried, Lost, Returning};
         match self.astray.as_deref().map(|astray| &astray.state) {
@@ -154,36 +157,36 @@ impl Strand {
         }
     }
 
-    /// What went past it so long ago may be where it can never come to.
-    fn forget_what_is_out_of_reach(&mut self, seconds: f64) {
+    /// A body that passed it long ago may be at a place that it can never reach.
+    fn drop_unreachable_bodies(&mut self, seconds: f64) {
         if seconds >= LOST_FOR * (1.0 - 1e-12) {
             self.astray = None;
         }
     }
 
-    /// It was rolled back in a substep of `h` seconds: it goes along with its root, and after a while is brought back.
-    pub fn lose(&mut self, h: f64, bodies: &[BodyAt]) {
+    /// A substep of `h` seconds rolled it back: it moves with its root, and after a while it is brought back.
+    pub fn roll_back(&mut self, h: f64, bodies: &[BodyAt]) {
         let seconds = self.astray_for() + h;
         let returns = seconds >= LOST_FOR * (1.0 - 1e-12);
         let from = || self.state.curvatures.clone().into_boxed_slice();
         let state = if returns { Whereabouts::Returning { seconds: 0.0, from: from() } } else { Whereabouts::Lost { seconds } };
-        self.go_along(h, bodies, state);
+        self.move_with_root(h, bodies, state);
     }
 
-    /// A substep brought it through.
-    pub fn come_through(&mut self) {
+    /// It converged in a substep.
+    pub fn clear_divergence(&mut self) {
         self.astray = None;
     }
 
-    fn go_along(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
+    fn move_with_root(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
         let [from, to] = self.root_during(h);
-        let astray = self.begin_to_stray(bodies, state);
+        let astray = self.start_divergence(bodies, state);
         take_along(&mut astray.bodies, &from, &to);
         self.state.teleport(to);
     }
 
-    /// Its velocities are those of a rigid motion with its root, which has come from there in `h` seconds.
-    pub fn moves_as_its_root(&mut self, from: &Frame, h: f64, rules: &Rules) {
+    /// Gives it the velocities of a rigid motion with its root, which came from this pose in `h` seconds.
+    pub fn set_rigid_velocities(&mut self, from: &Frame, h: f64, rules: &Rules) {
         let to = self.state.root;
         self.state.rates.fill([0.0; 3]);
         self.state.root_velocity = (to.origin - from.origin) / h;
@@ -191,8 +194,8 @@ impl Strand {
         self.state.velocities_from_rates(&self.model, rules);
     }
 
-    /// A substep of `h` seconds on its way back: from shape to shape, with its root.
-    pub fn go_back(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
+    /// A substep of `h` seconds of its return: from shape to shape, with its root.
+    pub fn step_home(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
         self.begin_root_way(h);
         let [from_root, to] = self.root_during(h);
         let outcome = StrandOutcome { converged: false, quarantined: true, energies: self.energies, ..StrandOutcome::default() };
@@ -207,7 +210,7 @@ impl Strand {
         }
         let is_back = *seconds >= RETURNS_IN * (1.0 - 1e-12);
         self.state.teleport(to);
-        self.moves_as_its_root(&from_root, h, rules);
+        self.set_rigid_velocities(&from_root, h, rules);
         (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
         self.advance_root(h);
         self.fared = (&outcome).into();
@@ -218,13 +221,13 @@ impl Strand {
     }
 }
 
-/// The pose at a share of the way from one to another.
-fn between(from: &Frame, to: &Frame, share: f64) -> Frame {
-    let turn = rotation_vector(&(to.rotation * from.rotation.inverse())) * share;
-    Frame { origin: from.origin + (to.origin - from.origin) * share, rotation: from_rotation_vector(turn) * from.rotation }
+/// The pose at a fraction of the motion from one to another.
+fn between(from: &Frame, to: &Frame, fraction: f64) -> Frame {
+    let turn = rotation_vector(&(to.rotation * from.rotation.inverse())) * fraction;
+    Frame { origin: from.origin + (to.origin - from.origin) * fraction, rotation: from_rotation_vector(turn) * from.rotation }
 }
 
-/// Takes frames along as a root goes from place to place.
+/// Moves frames along with a root that goes from pose to pose.
 fn take_along(frames: &mut [Frame], from: &Frame, to: &Frame) {
     for frame in frames {
         *frame = frame.carried(from, to);

@@ -1,4 +1,4 @@
-//! Strands, bodies and targets of constraints that go along with one pose: a head with all that is on it.
+//! Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
 
 use super::Solver;
 use super::id::{BodyId, ConstraintId, StrandId};
@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::error::{Result, check_not_negative};
 use crate::math::frame::Frame;
 
-/// Where things are in the axes of something that carries them. It belongs to the solver that made it; snapshots do not hold it, and it stays
-/// valid as long as the identifiers do.
+/// The poses of things in the axes of their carrier. An attachment belongs to the solver that made it; snapshots do not contain
+/// it, and it is valid as long as the identifiers are.
 ///
 /// ```
 /// use superhelix::nalgebra::Vector3;
@@ -28,7 +28,7 @@ pub struct Attachment {
     strands: Vec<StrandId>,
     bodies: Vec<BodyId>,
     constraints: Vec<ConstraintId>,
-    /// Of the strands' roots, then of bodies, then of targets.
+    /// Of strands' roots, then bodies, then targets.
     local: Vec<Frame>,
 }
 
@@ -43,7 +43,7 @@ impl Attachment {
 }
 
 impl Solver {
-    /// Attaches roots, bodies and targets of constraints, where they are now, to something that is at `pose` now.
+    /// Attaches roots, bodies and targets of constraints at their current poses to something with the current pose `pose`.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `strands[i]`, `bodies[i]` or `constraints[i]`.
@@ -83,12 +83,13 @@ impl Solver {
         Ok(())
     }
 
-    /// Sends all that is attached to where it is when its carrier is at `pose`, in `over_seconds` (0: within the next substep), each on its own
-    /// way, as [`Solver::set_root_frames`], [`Solver::set_body_frames`] and [`Solver::set_constraint_targets`] do.
+    /// Sends everything attached to where it is when its carrier is at `pose`, in `over_seconds` (0: within the next substep),
+    /// each along its own path, like [`Solver::set_root_frames`], [`Solver::set_body_frames`] and
+    /// [`Solver::set_constraint_targets`].
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming what was removed since; [`Error::InvalidArgument`] for a time that is not finite and 0 or more. Then nothing
-    /// has changed.
+    /// [`Error::InvalidId`] naming what was removed in the meantime; [`Error::InvalidArgument`] for a time that is not finite and
+    /// 0 or more. Nothing has then changed.
     pub fn move_attached(&mut self, attachment: &Attachment, pose: &Frame, over_seconds: f64) -> Result<()> {
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
         self.check_attached(attachment)?;
@@ -98,11 +99,11 @@ impl Solver {
         self.set_constraint_targets(&attachment.constraints, &targets, over_seconds)
     }
 
-    /// Puts all that is attached there at once: strands keep their shapes and velocities relative to their roots, bodies sweep nothing, and
-    /// targets are there within the next substep.
+    /// Moves everything attached there at once: strands keep their shapes and their velocities relative to their roots, bodies
+    /// sweep nothing, and targets arrive within the next substep.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming what was removed since. Then nothing has changed.
+    /// [`Error::InvalidId`] naming what was removed in the meantime. Nothing has then changed.
     pub fn teleport_attached(&mut self, attachment: &Attachment, pose: &Frame) -> Result<()> {
         self.check_attached(attachment)?;
         let [roots, bodies, targets] = attachment.at(pose);

@@ -1,4 +1,4 @@
-//! Bodies: what strands are kept out of.
+//! Bodies, which strands stay outside of.
 
 use std::sync::{Arc, OnceLock};
 
@@ -14,18 +14,18 @@ use crate::error::{Error, Result, check_not_negative};
 use crate::math::frame::Frame;
 use crate::memory;
 
-/// A body and all that the solver keeps about it.
+/// A body and the solver's data about it.
 #[derive(Debug, Clone)]
 pub(super) struct SceneBody {
     pub id: BodyId,
     pub body: Body,
-    /// What strands did to it in the last substep.
+    /// The action of strands on it in the last substep.
     pub wrench: Wrench,
     /// The host's own number.
     pub user_data: u64,
-    /// Whether its vertices were ever sent elsewhere: its shape is its own and changes.
+    /// Whether its vertices were ever moved: its shape is then its own and changes.
     pub deforms: bool,
-    /// Hash of a shape that stays as it is, where somebody asked for it.
+    /// Hash of a static shape, once requested.
     pub content: OnceLock<u128>,
 }
 
@@ -35,35 +35,35 @@ impl SceneBody {
     }
 }
 
-/// Where something met a strand at the end of the last substep.
+/// A contact of a strand at the end of the last substep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// The strand.
     pub strand: StrandId,
     /// Arclength on it, m.
     pub arclength: f64,
-    /// What it met.
+    /// The other side.
     pub partner: ContactPartner,
     /// On the strand's centreline, m, world.
     pub position: Vector3<f64>,
     /// Unit normal, world, from the partner to the strand.
     pub normal: Vector3<f64>,
-    /// Force on the strand, N, world; on the partner it is the opposite.
+    /// Force on the strand, N, world; the partner gets the opposite.
     pub force: Vector3<f64>,
-    /// Distance of the surfaces along the normal at the places that touch, m; negative where they overlap.
+    /// Distance of the surfaces along the normal at the contact, m; negative where they overlap.
     pub gap: f64,
-    /// How far the strand slid over its partner during the substep, m, world, along the surface.
+    /// Slip of the strand over its partner during the substep, m, world, along the surface.
     pub slip: Vector3<f64>,
 }
 
-/// What a strand met.
+/// The other side of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ContactPartner {
     /// A body.
     Body {
         /// Which.
         body: BodyId,
-        /// Which triangle of a mesh; 0 else.
+        /// The triangle of a mesh; otherwise 0.
         feature: u32,
     },
     /// Another strand, or the same one elsewhere.
@@ -75,12 +75,12 @@ pub enum ContactPartner {
     },
 }
 
-/// Bytes on the heap that bodies hold, each shape once.
+/// Heap bytes of the bodies, counting each shape once.
 pub(super) fn heap_bytes(bodies: &[SceneBody]) -> usize {
     let mut seen = std::collections::HashSet::new();
     let of = |body: &SceneBody| {
         let shape = &body.body.def().shape;
-        // Beside a shared shape stand two counts.
+        // A shared shape has two counts beside it.
         let whole = 2 * size_of::<usize>() + size_of::<Shape>() + shape.heap_bytes();
         body.body.heap_bytes() + if seen.insert(Arc::as_ptr(shape)) { whole } else { 0 }
     };
@@ -88,8 +88,8 @@ pub(super) fn heap_bytes(bodies: &[SceneBody]) -> usize {
 }
 
 impl Solver {
-    /// Adds bodies, all or none; their identifiers come in the order of the definitions. Strands touch them that have been made to
-    /// ([`Solver::set_contact`]).
+    /// Adds bodies, all or none, and returns their identifiers in the order of the definitions. Strands are in contact with them
+    /// if contact is set for them ([`Solver::set_contact`]).
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming `bodies[i].field`.
@@ -142,7 +142,7 @@ impl Solver {
         for (index, body) in self.bodies.iter().enumerate() {
             self.body_slots.moved(body.id, index);
         }
-        // What strands remember of where bodies were goes by the bodies' places in the list.
+        // Strands record bodies' earlier poses by their indices in the list.
         for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {
             astray.bodies.clear();
         }
@@ -169,7 +169,7 @@ impl Solver {
         self.for_each_body_of(count, frame_of, |body, frame| body.move_to(frame, over_seconds))
     }
 
-    /// Puts bodies at `frames` at once, at rest: they do not sweep what lies between.
+    /// Moves bodies to `frames` at once, at rest: they do not sweep what lies between.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
@@ -202,12 +202,12 @@ impl Solver {
         Ok(())
     }
 
-    /// Sends the vertices of a mesh (m, the body's axes) to new places in `over_seconds` (0: within the next substep), each straight and
-    /// evenly.
+    /// Sends the vertices of a mesh (m, the body's axes) to new positions in `over_seconds` (0: within the next substep), each
+    /// along a straight line at constant speed.
     ///
     /// # Errors
-    /// [`Error::InvalidId`]; [`Error::Unsupported`] for a body that is no mesh; [`Error::InvalidArgument`] for another count than the
-    /// mesh's, a number that is not finite, or a time that is not finite and 0 or more.
+    /// [`Error::InvalidId`]; [`Error::Unsupported`] for a body that is not a mesh; [`Error::InvalidArgument`] for a count other
+    /// than the mesh's, a number that is not finite, or a time that is not finite and 0 or more.
     pub fn set_body_vertices(&mut self, id: BodyId, vertices: &[Vector3<f64>], over_seconds: f64) -> Result<()> {
         let index = self.body_index(|| "id".into(), id)?;
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
@@ -227,7 +227,7 @@ impl Solver {
         self.bodies[index].body.set_surface(thickness, friction, viscous_friction)
     }
 
-    /// Changes which groups a body is in and which it touches.
+    /// Changes a body's groups and the groups that it collides with.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -255,7 +255,7 @@ impl Solver {
         Ok(())
     }
 
-    /// A body: what it is made of, and where it is now.
+    /// A body's definition, at its current pose.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -263,7 +263,7 @@ impl Solver {
         Ok(self.bodies[self.body_index(|| "id".into(), id)?].body.def())
     }
 
-    /// What strands did to a body in the last substep: force (N) and torque about its origin (N·m), world axes.
+    /// The action of strands on a body in the last substep: force (N) and torque about its origin (N·m), world axes.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -276,7 +276,7 @@ impl Solver {
         self.bodies.iter().map(|body| body.id).collect()
     }
 
-    /// Says what strands are to contact (`None`: they touch nothing, which is how they begin).
+    /// Sets the contact parameters of strands (`None`, the initial value: no contact).
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `contact.field`.
@@ -291,13 +291,13 @@ impl Solver {
         Ok(())
     }
 
-    /// The same for strands that differ: one for each.
+    /// The same for different strands: one for each.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `contacts[i].field`, or for counts that differ.
     pub fn set_contacts(&mut self, ids: &[StrandId], contacts: &[StrandContact]) -> Result<()> {
         if contacts.len() != ids.len() {
-            return Err(Error::invalid("contacts (count)", contacts.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("contacts (count)", contacts.len(), format!("{}, one per strand", ids.len())));
         }
         for (k, contact) in contacts.iter().enumerate() {
             contact.check(&format!("contacts[{k}]"))?;
@@ -309,7 +309,7 @@ impl Solver {
         Ok(())
     }
 
-    /// What a strand is to contact.
+    /// The contact parameters of a strand.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -317,7 +317,7 @@ impl Solver {
         Ok(self.strand("id", id)?.contact.as_deref())
     }
 
-    /// Changes how contact is answered, from the next step on.
+    /// Changes the contact options, from the next step on.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming `options.field`.
@@ -328,7 +328,7 @@ impl Solver {
         Ok(())
     }
 
-    /// The touches at the end of the last substep that carried a force, by strand and arclength.
+    /// The contacts at the end of the last substep that carried a force, by strand and arclength.
     pub fn contacts(&self) -> &[Contact] {
         self.holding.contacts()
     }
@@ -337,7 +337,7 @@ impl Solver {
 /// The identifiers and frames of two lists, one frame a body.
 fn listed_frames<'a>(ids: &'a [BodyId], frames: &'a [Frame]) -> Result<impl Fn(usize) -> Result<(BodyId, Frame)> + 'a> {
     if frames.len() != ids.len() {
-        return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a body", ids.len())));
+        return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one per body", ids.len())));
     }
     Ok(|k| Ok((ids[k], frames[k])))
 }

@@ -1,4 +1,4 @@
-//! Curves drawn inside a body of the scene, brought out of it before strands are made of them.
+//! Brings curves out of a body of the scene before they become strands.
 
 use nalgebra::Vector3;
 
@@ -8,12 +8,12 @@ use crate::error::{Error, Result};
 use crate::groom::outside::{self, BroughtOut};
 
 impl Solver {
-    /// Brings curves out of a body where it is now, as [`outside::bring_out`] does: `points` (m, world), curve after curve, `counts` points each. In the
-    /// order of the curves. The scene is as it was.
+    /// Brings curves out of a body at its current pose, as [`outside::bring_out`] does: `points` (m, world), curve after curve,
+    /// `counts` points each. Returns results in the order of the curves. Does not change the scene.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] (`body`); [`Error::InvalidArgument`] for a clearance below zero, numbers that are not finite, or counts that do not add up
-    /// to the points. Then no point has moved.
+    /// [`Error::InvalidId`] (`body`); [`Error::InvalidArgument`] for a clearance below zero, numbers that are not finite, or
+    /// counts that do not add up to the points. No point has then moved.
     pub fn bring_out(
         &mut self,
         body: BodyId,
@@ -43,7 +43,7 @@ impl Solver {
         for (brought, moved) in &done {
             let (curve, others) = rest.split_at_mut(moved.len());
             rest = others;
-            // (A curve that was not moved keeps its bits, and so does a root.)
+            // (An unmoved curve keeps its bits, and so does a root.)
             if brought.moved > 0.0 {
                 for (point, moved) in curve.iter_mut().zip(moved).skip(1) {
                     *point = body.end.origin + body.end.rotation * moved;

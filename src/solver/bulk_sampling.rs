@@ -1,4 +1,4 @@
-//! Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
+//! Samples many strands at uniform arclengths: in packs side by side, on all of the solver's threads.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -21,43 +21,43 @@ use crate::math::prefetch::prefetch;
 use crate::math::quadrature::{Rule, Rules};
 use crate::rod::uniform_points::{Lanes, Real, WIDTH, Walk};
 
-/// Most points a strand in one tile.
+/// Most points per strand in one tile.
 const TILE: usize = 16;
 
-/// Most nodes a rule has whose velocities go side by side.
-const MOST_NODES: usize = 16;
+/// The largest number of nodes of a rule whose velocities go side by side.
+const MAX_NODES: usize = 16;
 
-/// Strands that are asked for ahead of the one at hand.
+/// How many strands ahead to prefetch.
 const AHEAD: usize = 16;
 
-/// Points that a task takes at a time, about: enough to be worth handing out.
-const POINTS_A_PART: usize = 1024;
+/// Approximate number of points per task: enough to be worth handing out.
+const POINTS_PER_TASK: usize = 1024;
 
-/// What is to be sampled.
+/// What to sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wanted {
-    /// Points a strand, uniform in arclength, root and tip included; at least 2.
+    /// Points per strand, uniform in arclength, root and tip included; at least 2.
     pub points_per_strand: usize,
     /// Subtracted from positions in f64, before they are narrowed, m.
     pub origin: Vector3<f64>,
-    /// Whether positions are wanted.
+    /// Whether to compute positions.
     pub positions: bool,
-    /// Whether frames are wanted.
+    /// Whether to compute frames.
     pub rotations: bool,
-    /// Whether velocities are wanted.
+    /// Whether to compute velocities.
     pub velocities: bool,
 }
 
 /// A few points of a few strands.
 #[derive(Debug)]
 pub struct Tile<'a, T> {
-    /// Which of the strands asked for, counted as in the call; at most [`WIDTH`].
+    /// Indices of the strands in the call; at most [`WIDTH`].
     pub strands: &'a [u32],
-    /// The first of the points, counted from the root.
+    /// The first point, counted from the root.
     pub first: usize,
-    /// How many points there are.
+    /// The number of points.
     pub count: usize,
-    /// Positions less the origin, m: `[point][axis][strand]`; empty where not wanted, as those below.
+    /// Positions relative to the origin, m: `[point][axis][strand]`; empty if not requested, like those below.
     pub positions: &'a [[Lanes<T>; 3]],
     /// Quaternions x, y, z, w of the material frames, `[point][number][strand]`.
     pub rotations: &'a [[Lanes<T>; 4]],
@@ -65,7 +65,7 @@ pub struct Tile<'a, T> {
     pub velocities: &'a [[Lanes<T>; 3]],
 }
 
-/// Who takes samples. Tiles come in any order and from any of the solver's threads, each point of each strand once.
+/// Receives samples. Tiles come in any order and from any of the solver's threads, each point of each strand once.
 ///
 /// ```
 /// use std::sync::Mutex;
@@ -100,22 +100,23 @@ pub struct Tile<'a, T> {
 /// # Ok::<(), superhelix::Error>(())
 /// ```
 pub trait SampleSink<T>: Sync {
-    /// Takes a tile.
+    /// Receives a tile.
     fn take(&self, tile: &Tile<T>);
 }
 
 impl Solver {
-    /// Samples strands uniformly in arclength, in f32 or f64: `sink` gets every point of every strand once.
+    /// Samples strands uniformly in arclength, in f32 or f64; `sink` receives every point of every strand once.
     ///
-    /// Strands of equal elements are worked out side by side (`rod::uniform_points`), others one by one. In f32 a position is that in f64
-    /// to within 10⁻⁶ of the strand's length (measured: 2·10⁻⁷), plus the rounding of what is given out; frames and velocities to 10⁻⁶ of
-    /// one and of the largest velocity. What a strand's samples are does not depend on the other strands or on threads.
+    /// Strands of equal elements are evaluated side by side (`rod::uniform_points`), others one by one. In f32 a position differs
+    /// from that in f64 by at most 10⁻⁶ of the strand's length, plus the rounding of the output; frames and velocities by 10⁻⁶ of
+    /// one and of the largest velocity. A strand's samples do not depend on the other strands or on threads.
     ///
-    /// Runs on the solver's own threads where it has them and there is enough to do; a host's task system is not used: a host that has
-    /// one calls from its tasks, for some of the strands each.
+    /// Runs on the solver's own threads if it has any and there is enough to do. Never uses a host's task system: a host that has
+    /// one calls this from its own tasks, for some of the strands each.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for fewer than two points; [`Error::InvalidId`] naming `ids[i]`. Nothing has gone to the sink then.
+    /// [`Error::InvalidArgument`] for fewer than two points; [`Error::InvalidId`] naming `ids[i]`. The sink has then received
+    /// nothing.
     pub fn sample_tiles<T: Real>(&self, ids: &[StrandId], wanted: &Wanted, sink: &impl SampleSink<T>) -> Result<()> {
         if wanted.points_per_strand < 2 {
             return Err(Error::invalid("points_per_strand", wanted.points_per_strand, "2 or more: root and tip"));
@@ -129,15 +130,15 @@ impl Solver {
             let strand = &self.strands[*index];
             strands.push(Asked { strand, place: place as u32, elements: strand.model.element_count() as u32 });
         }
-        // Strands that go side by side come one after another, otherwise in the order asked for.
+        // Strands that go side by side are sorted together; otherwise in the order of the call.
         if strands.windows(2).any(|pair| pair[0].elements != pair[1].elements) {
             strands.sort_by_key(|asked| asked.elements);
         }
-        let each = (POINTS_A_PART / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
+        let each = (POINTS_PER_TASK / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
         let mut parts: Vec<&[Asked]> = strands.chunks(each).collect();
         let set = self.instruction_set();
         self.crew.for_each_on_own(&mut parts, |part, _| {
-            let part = Part { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
+            let part = SampleTask { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
             match set {
                 #[cfg(target_arch = "x86_64")]
                 InstructionSet::Avx512 => F64x8::call(part),
@@ -150,7 +151,7 @@ impl Solver {
     }
 }
 
-/// A strand and its place in the call.
+/// A strand and its index in the call.
 #[derive(Clone, Copy)]
 struct Asked<'a> {
     strand: &'a Strand,
@@ -158,13 +159,13 @@ struct Asked<'a> {
     elements: u32,
 }
 
-/// Room for a tile.
+/// Scratch memory for a tile.
 struct Room<T> {
     positions: [[Lanes<T>; 3]; TILE],
     rotations: [[Lanes<T>; 4]; TILE],
     velocities: [[Lanes<T>; 3]; TILE],
     /// Velocities at the nodes of an element.
-    values: [[Lanes<f64>; 3]; MOST_NODES],
+    values: [[Lanes<f64>; 3]; MAX_NODES],
 }
 
 impl<T: Real> Room<T> {
@@ -174,11 +175,11 @@ impl<T: Real> Room<T> {
             positions: [[none; 3]; TILE],
             rotations: [[none; 4]; TILE],
             velocities: [[none; 3]; TILE],
-            values: [[[0.0; WIDTH]; 3]; MOST_NODES],
+            values: [[[0.0; WIDTH]; 3]; MAX_NODES],
         }
     }
 
-    /// Hands out the first `count` points, of which the first is the strands' point `first`.
+    /// Emits the first `count` points, of which the first is the strands' point `first`.
     fn hand_out(&self, strands: &[u32], first: usize, count: usize, wanted: &Wanted, sink: &impl SampleSink<T>) {
         sink.take(&Tile {
             strands,
@@ -192,7 +193,7 @@ impl<T: Real> Room<T> {
 }
 
 /// Some of the strands of a call, in numbers T.
-struct Part<'a, T, S> {
+struct SampleTask<'a, T, S> {
     strands: &'a [Asked<'a>],
     wanted: &'a Wanted,
     rules: &'a Rules,
@@ -200,7 +201,7 @@ struct Part<'a, T, S> {
     number: PhantomData<T>,
 }
 
-impl<T: Real, S: SampleSink<T>> Kernel for Part<'_, T, S> {
+impl<T: Real, S: SampleSink<T>> Kernel for SampleTask<'_, T, S> {
     type Output = ();
 
     #[inline(always)]
@@ -231,7 +232,7 @@ impl<T: Real, S: SampleSink<T>> Kernel for Part<'_, T, S> {
     }
 }
 
-/// Asks for the memory of the strands that come next: of the second next pack the strands' heads, of the next what they point to.
+/// Prefetches coming strands: the heads of those in the second next pack, and the data of those in the next.
 #[inline(always)]
 fn foresee(next: &[Asked], wanted: &Wanted) {
     for asked in next.iter().skip(WIDTH).take(WIDTH) {
@@ -248,15 +249,15 @@ fn foresee(next: &[Asked], wanted: &Wanted) {
     }
 }
 
-/// Where the points of strands of equal elements are.
+/// The sampled points on strands of equal elements.
 #[derive(Default)]
 struct Places {
     elements: usize,
-    /// Points of an element, element after element; `of[e]` are those of element e.
+    /// Points by element; `of[e]` are those of element e.
     of: Vec<Range<usize>>,
-    /// Shares of the element's length, a point.
-    shares: Vec<f64>,
-    /// With which coefficients values at a rule's nodes give those at the points: a list a rule, empty as long as nobody needs it.
+    /// Relative position on the element, per point.
+    fractions: Vec<f64>,
+    /// Interpolation coefficients from a rule's nodes to the points: a list per rule, empty until first used.
     coefficients: Vec<Vec<f64>>,
 }
 
@@ -267,37 +268,37 @@ impl Places {
         }
         self.elements = elements;
         self.of.clear();
-        self.shares.clear();
+        self.fractions.clear();
         self.coefficients.iter_mut().for_each(Vec::clear);
         let last = points - 1;
         let mut point = 0;
         for element in 0..elements {
             let first = point;
-            // A point on a border belongs to the element before it. Products of counts: no rounding puts it elsewhere.
+            // A point on a border belongs to the element before it. Products of counts make this exact.
             while point <= last && point * elements <= (element + 1) * last {
-                self.shares.push((point * elements - element * last) as f64 / last as f64);
+                self.fractions.push((point * elements - element * last) as f64 / last as f64);
                 point += 1;
             }
             self.of.push(first..point);
         }
     }
 
-    /// The coefficients of one rule, a row a point.
+    /// The coefficients of one rule, a row per point.
     fn coefficients(&mut self, index: usize, rule: &Rule) -> &[f64] {
         if self.coefficients.len() <= index {
             self.coefficients.resize(index + 1, Vec::new());
         }
         let list = &mut self.coefficients[index];
         if list.is_empty() {
-            for share in &self.shares {
-                rule.for_each_coefficient(*share, |_, coefficient| list.push(coefficient));
+            for fraction in &self.fractions {
+                rule.for_each_coefficient(*fraction, |_, coefficient| list.push(coefficient));
             }
         }
         list
     }
 }
 
-/// Strands of equal elements, as many to each.
+/// Strands with equal elements, and equal numbers of them.
 #[inline(always)]
 fn side_by_side<T: Real>(
     pack: &[Asked],
@@ -327,9 +328,9 @@ fn side_by_side<T: Real>(
     let mut walk = Walk::new(rotation, length);
     let (mut first, mut count) = (0, 0);
     let walks = wanted.positions || wanted.rotations;
-    // Velocities go side by side where all have them at the same nodes, and few enough.
+    // Velocities go side by side if all strands have the same nodes, and few enough of them.
     let rule = pack[0].strand.state.rule;
-    let alike = || pack.iter().all(|asked| asked.strand.state.rule == rule) && rules.rule(rule).len() <= MOST_NODES;
+    let alike = || pack.iter().all(|asked| asked.strand.state.rule == rule) && rules.rule(rule).len() <= MAX_NODES;
     let common_rule = (wanted.velocities && alike()).then_some(rule);
     for element in 0..places.elements {
         if walks {
@@ -354,12 +355,12 @@ fn side_by_side<T: Real>(
         }
         let state = (walks && !points.is_empty()).then(|| walk.element::<T>());
         for point in points {
-            let share = places.shares[point];
+            let fraction = places.fractions[point];
             if let Some(state) = &state {
                 match (wanted.positions, wanted.rotations) {
-                    (true, true) => (room.positions[count], room.rotations[count]) = state.pose(share, &base),
-                    (true, false) => room.positions[count] = state.position(share, &base),
-                    _ => room.rotations[count] = state.rotation(share),
+                    (true, true) => (room.positions[count], room.rotations[count]) = state.pose(fraction, &base),
+                    (true, false) => room.positions[count] = state.position(fraction, &base),
+                    _ => room.rotations[count] = state.rotation(fraction),
                 }
             }
             if wanted.velocities {
@@ -389,7 +390,7 @@ fn side_by_side<T: Real>(
     }
 }
 
-/// Values at nodes, combined.
+/// Linear combination of values at nodes.
 #[inline(always)]
 fn combined<T: Real>(coefficients: &[f64], values: &[[Lanes<f64>; 3]]) -> [Lanes<T>; 3] {
     let mut out = [[T::default(); WIDTH]; 3];

@@ -1,4 +1,4 @@
-//! Clips: strands held where they are in a box, and the box moved.
+//! Clips: hold strands where they are in a box, and move with the box.
 
 use nalgebra::Vector3;
 
@@ -29,19 +29,20 @@ use crate::math::frame::Frame;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClipDef {
-    /// Where it is, world.
+    /// Its pose, world.
     pub frame: Frame,
-    /// Half the edges of the box in which it holds hair, m, above zero, along the frame's axes.
+    /// Half the edges of the box that holds hair, m, above zero, along the frame's axes.
     pub half_edges: Vector3<f64>,
     /// How it holds the material points: [`Hold::Point`], [`Hold::Direction`] or [`Hold::Frame`].
     pub hold: Hold,
-    /// How far a point gives way for a unit of force, m/N; zero or above.
+    /// Displacement of a point per unit of force, m/N; zero or above.
     pub compliance: f64,
 }
 
 impl Solver {
-    /// Closes a clip: each stretch of a strand that lies in its box is held, where it is, at its middle. A clip is the constraints that it made:
-    /// [`Solver::move_constraints`] moves it, [`Solver::remove_constraints`] opens it. Nothing moves at once.
+    /// Closes a clip: holds each stretch of a strand inside its box at the stretch's middle, where it is. A clip is the
+    /// constraints that it created: [`Solver::move_constraints`] moves it, [`Solver::remove_constraints`] opens it. Nothing moves
+    /// at once.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `clip`, or an identifier given twice.
@@ -50,10 +51,10 @@ impl Solver {
         self.add_constraints(&defs)
     }
 
-    /// What [`Solver::clip_strands`] would add.
+    /// The constraints that [`Solver::clip_strands`] would add.
     ///
     /// # Errors
-    /// The same.
+    /// As [`Solver::clip_strands`].
     pub fn clip_constraints(&self, ids: &[StrandId], clip: &ClipDef) -> Result<Vec<ConstraintDef>> {
         for axis in 0..3 {
             check_positive(|| format!("clip.half_edges[{axis}]"), clip.half_edges[axis])?;
@@ -77,8 +78,8 @@ impl Solver {
         Ok(defs)
     }
 
-    /// Sends the targets of constraints along as something rigid that goes from `from` to `to` in `over_seconds` (0: within the next substep):
-    /// a clip that held them, or a comb.
+    /// Moves the targets of constraints rigidly with something that goes from `from` to `to` in `over_seconds` (0: within the
+    /// next substep): the clip that holds them, or a comb.
     ///
     /// # Errors
     /// As [`Solver::set_constraint_targets`].

@@ -1,4 +1,4 @@
-//! Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
+//! Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
 
 use nalgebra::Vector3;
 
@@ -16,7 +16,7 @@ use crate::math::way::Way;
 use crate::memory;
 use crate::rod::strand::StrandModel;
 
-/// How a constraint holds.
+/// The type of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Hold {
     /// The material point stays at the target's origin.
@@ -25,8 +25,8 @@ pub enum Hold {
     Direction,
     /// The point, and the material frame stays that of the target.
     Frame,
-    /// The strand passes through a ring at the target's origin, with Coulomb friction; once its tip has gone through it is free. The
-    /// point's arclength changes as it slides.
+    /// The strand passes through a ring at the target's origin, with Coulomb friction, and is free once its tip has passed
+    /// through it. The point's arclength changes as it slides.
     Ring {
         /// Friction of the ring on the strand.
         friction: Friction,
@@ -40,7 +40,7 @@ pub enum Hold {
     },
 }
 
-/// What a constraint is made from.
+/// The definition of a constraint.
 ///
 /// ```
 /// use superhelix::nalgebra::Vector3;
@@ -60,63 +60,65 @@ pub enum Hold {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConstraintDef {
-    /// The strand that is held.
+    /// The constrained strand.
     pub strand: StrandId,
-    /// Where on it, arclength from the root, m; 0 to its length. A ring begins at the nearest point to it that is nearest to the target.
+    /// The constrained point's arclength from the root, m; 0 to its length. A ring starts at the local minimum of distance to the
+    /// target that is closest to it.
     pub arclength: f64,
-    /// How.
+    /// The type.
     pub hold: Hold,
-    /// Where it is held, world; not read by a tie.
+    /// The target, world; a tie ignores it.
     pub target: Frame,
-    /// How far the point gives way for a unit of force, m/N; zero or above; 0: not at all. Not for rings.
+    /// Displacement of the point per unit of force, m/N; zero or above; 0 for a rigid constraint. Not for rings.
     pub compliance: f64,
 }
 
-/// How a constraint fared in the last substep.
+/// The state of a constraint in the last substep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ConstraintStatus {
-    /// It holds.
+    /// It is satisfied.
     #[default]
     Holds,
-    /// What it asks is decided by other constraints already, and agrees with them; its force is shared out arbitrarily.
+    /// Other constraints already determine it, and agree with it; its force is shared arbitrarily.
     Dependent,
-    /// It does not hold: other constraints, or the strand's length, contradict it.
+    /// It is not satisfied: other constraints, or the strand's length, contradict it.
     Violated,
     /// A ring that the strand has slipped out of.
     Released,
 }
 
-/// What a constraint did in the last substep.
+/// The result of a constraint in the last substep.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConstraintState {
     /// Force on the (first) strand, N, world.
     pub force: Vector3<f64>,
-    /// Torque on the strand about the held point, N·m, world; zero but for directions and frames.
+    /// Torque on the strand about the constrained point, N·m, world; zero except for directions and frames.
     pub torque: Vector3<f64>,
-    /// How far the held point is from where it should be, m.
+    /// Distance of the constrained point from its target, m.
     pub error: f64,
-    /// Where on the strand it holds, arclength, m: a ring's changes.
+    /// The constrained arclength on the strand, m: a ring's changes.
     pub arclength: f64,
-    /// How it fared.
+    /// Its status.
     pub status: ConstraintStatus,
 }
 
-/// Where the levers are that hold a direction or a frame, in units of the element's length: as stiff as the point's own bond.
+/// Length of the levers that hold a direction or a frame, in units of the element's length: makes them as stiff as the point's
+/// own constraint.
 const LEVER: f64 = 1.0;
-/// How far from holding a constraint may be and still be said to hold, m.
+/// A constraint within this distance of its target counts as satisfied, m.
 const HOLDS: f64 = 1e-8;
 
-/// A constraint and all that the solver keeps about it.
+/// A constraint and the solver's data about it.
 #[derive(Debug, Clone)]
 pub(super) struct Constraint {
     pub id: ConstraintId,
     pub def: ConstraintDef,
-    /// The target's way; `def.target` is where it was given.
+    /// The target's motion; `def.target` is the original one.
     pub way: Way,
     pub state: ConstraintState,
-    /// Forces of its parts in the last substep, to begin the next with.
+    /// Forces of its parts in the last substep, the warm start of the next.
     pub forces: [Vector3<f64>; 3],
-    /// How many parts the report has so far, and where the strand is held.
+    /// The number of parts in the report so far, and the constrained place of the strand.
     pub parts: usize,
     pub held_at: Vector3<f64>,
     /// The host's own number.
@@ -132,7 +134,7 @@ impl Constraint {
         }
     }
 
-    /// Where the other end of a tie holds a strand, m.
+    /// The constrained arclength on a strand at the other end of a tie, m.
     pub fn tied(&self, strand: StrandId) -> Option<f64> {
         match self.def.hold {
             Hold::Tie { other, arclength } if other == strand => Some(arclength),
@@ -140,7 +142,7 @@ impl Constraint {
         }
     }
 
-    /// Empties the report of the last substep.
+    /// Clears the report of the last substep.
     pub fn begin_report(&mut self) {
         if self.state.status != ConstraintStatus::Released {
             let ConstraintState { arclength, .. } = self.state;
@@ -149,14 +151,14 @@ impl Constraint {
         self.parts = 0;
     }
 
-    /// What it asks is decided by others.
+    /// Marks it as determined by others.
     pub fn depends(&mut self) {
         if self.state.status == ConstraintStatus::Holds {
             self.state.status = ConstraintStatus::Dependent;
         }
     }
 
-    /// Takes down what one of its joints came to, in their order; `curve` is the first strand's at the substep's end.
+    /// Reports one of its constraint rows, in order; `curve` is the first strand's at the end of the substep.
     pub fn add_report(&mut self, joint: &Joint, curve: &StrandCurve) {
         let Station { element, s, .. } = joint.first.station;
         self.state.force += joint.force;
@@ -190,7 +192,7 @@ impl Constraint {
         self.parts += 1;
     }
 
-    /// Its joints in a substep of `h` seconds: `first` and `second` are the held strands' indices and constants.
+    /// Its constraint rows in a substep of `h` seconds: `first` and `second` are the constrained strands' indices and constants.
     pub fn joints(
         &self,
         index: u32,
@@ -240,18 +242,18 @@ impl Constraint {
     }
 }
 
-/// The station at an arclength.
+/// The material point at an arclength.
 pub(super) fn station_at(model: &StrandModel, arclength: f64) -> Station {
     let (element, s) = model.place(arclength);
     Station::on(element, s)
 }
 
 impl Solver {
-    /// Adds constraints, all or none; their identifiers come in the order of the definitions. They hold from the end of the next substep
-    /// on: where a point is far from its target it is drawn there within that substep.
+    /// Adds constraints, all or none, and returns their identifiers in the order of the definitions. They hold from the end of
+    /// the next substep on: a point far from its target is drawn there within that substep.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming `constraints[i].field`; [`Error::InvalidId`] for a strand that is not there.
+    /// [`Error::InvalidArgument`] naming `constraints[i].field`; [`Error::InvalidId`] for a nonexistent strand.
     pub fn add_constraints(&mut self, constraints: &[ConstraintDef]) -> Result<Vec<ConstraintId>> {
         for (k, def) in constraints.iter().enumerate() {
             self.check_constraint(&format!("constraints[{k}]"), def)?;
@@ -309,7 +311,7 @@ impl Solver {
                 check_not_negative(|| format!("{argument}.friction.along"), friction.along)?;
                 check_not_negative(|| format!("{argument}.friction.against"), friction.against)?;
                 if def.compliance != 0.0 {
-                    return Err(Error::invalid(format!("{argument}.compliance"), def.compliance, "0: rings do not give way"));
+                    return Err(Error::invalid(format!("{argument}.compliance"), def.compliance, "0: rings are rigid"));
                 }
             }
             Hold::Point | Hold::Direction | Hold::Frame => {}
@@ -337,7 +339,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Removes those that are marked.
+    /// Removes the marked ones.
     pub(super) fn drop_constraints(&mut self, gone: &[bool]) {
         let mut index = 0;
         let slots = &mut self.constraint_slots;
@@ -353,15 +355,15 @@ impl Solver {
         }
     }
 
-    /// Sends the targets of constraints to `frames` in `over_seconds` (0: within the next substep), as [`Solver::set_root_frames`] does roots.
-    /// Ties have none: theirs are not read.
+    /// Sends the targets of constraints to `frames` in `over_seconds` (0: within the next substep), as
+    /// [`Solver::set_root_frames`] does roots. Ties have no target: theirs are ignored.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ or a time that is not finite and 0 or more; [`Error::InvalidId`].
     pub fn set_constraint_targets(&mut self, ids: &[ConstraintId], frames: &[Frame], over_seconds: f64) -> Result<()> {
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
         if frames.len() != ids.len() {
-            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a constraint", ids.len())));
+            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one per constraint", ids.len())));
         }
         let mut indices = Vec::with_capacity(ids.len());
         for (k, id) in ids.iter().enumerate() {
@@ -373,7 +375,7 @@ impl Solver {
         Ok(())
     }
 
-    /// What a constraint did in the last substep.
+    /// The result of a constraint in the last substep.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -399,7 +401,7 @@ impl Solver {
         Ok(())
     }
 
-    /// What a constraint is made from; its target is where it is now.
+    /// A constraint's definition, with its current target.
     ///
     /// # Errors
     /// [`Error::InvalidId`].

@@ -1,4 +1,4 @@
-//! Contacts that begin and end, kept for a host that drains them: between which strand and what, where.
+//! Contact begin and end events, queued until the host drains them.
 
 use std::collections::VecDeque;
 
@@ -7,38 +7,38 @@ use super::bodies::{Contact, ContactPartner};
 use super::id::StrandId;
 use crate::error::{Error, Result};
 
-/// Most events that may be kept.
+/// The largest capacity for events.
 pub const MOST_EVENTS: usize = 1 << 24;
 
 /// Whether a contact began or ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// The pair had no contact at the end of the step before.
+    /// The pair had no contact at the end of the last step.
     Begin,
-    /// The pair has none any more.
+    /// The pair no longer has one.
     End,
 }
 
-/// A strand and what it met came into contact, or lost it, in a step.
+/// The start or end of contact between a strand and its partner in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactEvent {
-    /// Which of the two.
+    /// Whether it began or ended.
     pub change: Change,
-    /// The contact of the pair that pressed most: at its begin, or the last that there was.
+    /// The pair's contact with the largest force: at the start, or the last one before the end.
     pub contact: Contact,
-    /// The element of the strand on which it lies.
+    /// The strand's element at the contact.
     pub element: u32,
 }
 
-/// Which two are in contact: the same for all contacts of a pair.
+/// The pair in contact: the same for all its contacts.
 type Pair = (u64, u32, u64);
 
-/// The events that wait, and what there was at the end of the last step.
+/// The queued events, and the contacts at the end of the last step.
 #[derive(Debug, Default)]
 pub(super) struct ContactEvents {
     capacity: usize,
     waiting: VecDeque<ContactEvent>,
-    /// Events for which there was no room since the host drained last.
+    /// Events dropped for lack of capacity since the last drain.
     lost: u64,
     /// Sorted by pair.
     present: Vec<(Pair, ContactEvent)>,
@@ -62,7 +62,8 @@ impl ContactEvents {
         }
     }
 
-    /// Takes up the contacts at the end of a step; `element` finds where on a strand one lies, `lives` whether both still exist.
+    /// Processes the contacts at the end of a step; `element` finds the element of an arclength, `lives` whether both sides still
+    /// exist.
     fn note(&mut self, contacts: &[Contact], element: impl Fn(StrandId, f64) -> u32, lives: impl Fn(&Contact) -> bool) {
         let mut found = std::mem::take(&mut self.found);
         found.clear();
@@ -70,7 +71,7 @@ impl ContactEvents {
             let event = ContactEvent { change: Change::Begin, contact: *contact, element: 0 };
             (pair_of(contact), event)
         }));
-        // Of each pair the contact that presses most, the first of equals.
+        // For each pair the contact with the largest force, the first of equals.
         let press = |event: &ContactEvent| event.contact.force.norm_squared();
         found.sort_by(|a, b| a.0.cmp(&b.0).then(press(&b.1).total_cmp(&press(&a.1))));
         found.dedup_by_key(|(pair, _)| *pair);
@@ -107,8 +108,8 @@ impl ContactEvents {
 }
 
 impl Solver {
-    /// Keeps up to `capacity` events of contacts that begin and end in steps from now on; 0: none, which costs nothing (the default). What waits
-    /// is forgotten. Contacts that there are already begin in the next step.
+    /// Queues up to `capacity` events of contacts that begin and end in steps from now on; 0 (the default) queues none, at no
+    /// cost. Discards the current queue. Contacts that already exist begin in the next step.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for more than [`MOST_EVENTS`]; [`Error::OutOfMemory`].
@@ -127,12 +128,12 @@ impl Solver {
         Ok(())
     }
 
-    /// How many events wait, and how many found no room since the last draining.
+    /// The number of queued events, and of events dropped since the last drain.
     pub fn waiting_contact_events(&self) -> (usize, u64) {
         self.events.as_deref().map_or((0, 0), |events| (events.waiting.len(), events.lost))
     }
 
-    /// Takes up to `most` events out, the oldest first, and says how many found no room since the last draining.
+    /// Takes up to `most` events out, oldest first, and returns how many were dropped since the last drain.
     pub fn drain_contact_events(&mut self, most: usize, mut take: impl FnMut(ContactEvent)) -> u64 {
         let Some(events) = self.events.as_deref_mut() else { return 0 };
         let count = most.min(events.waiting.len());
@@ -140,7 +141,7 @@ impl Solver {
         std::mem::take(&mut events.lost)
     }
 
-    /// Compares the contacts at the end of a step with those of the step before, where somebody wants to know.
+    /// Compares the contacts at the end of a step with those of the step before, if events are wanted.
     pub(super) fn note_contacts(&mut self) {
         let Some(mut events) = self.events.take() else { return };
         let element = |id: StrandId, arclength: f64| {
@@ -163,7 +164,7 @@ impl Solver {
         self.events = Some(events);
     }
 
-    /// The scene is another one: its contacts begin with its first step.
+    /// The scene was replaced: its contacts begin with its first step.
     pub(super) fn forget_contact_events(&mut self) {
         if let Some(events) = &mut self.events {
             events.present.clear();

@@ -1,4 +1,4 @@
-//! Where strands cross a blade or the surface that a tooth sweeps, and where they are in a box.
+//! Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
 
 use nalgebra::Vector3;
 
@@ -13,19 +13,19 @@ use crate::rod::kinematics::{ElementState, element_states};
 use crate::rod::strand::place_on;
 use crate::step::state::rotation_matrix;
 
-/// A strand is followed in chords that turn by no more than this, rad, and are no longer than that, m.
+/// A strand is divided into chords that turn by at most this, rad, and are at most this long, m.
 const TURN: f64 = 0.1;
 const CHORD: f64 = 1e-3;
-/// Halvings to find a place between the ends of a chord: 1 mm to a picometre.
+/// Bisections of a chord: from 1 mm to a picometre.
 const HALVINGS: usize = 30;
 
-/// A strand as it is now, world.
+/// A strand's current curve, world.
 pub(super) struct Curve {
     origin: Vector3<f64>,
     elements: Vec<ElementState<f64>>,
 }
 
-/// A place on it: the element, and arclength on that and from the root, m.
+/// A place on it: the element, and the arclengths on the element and from the root, m.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CurvePlace {
     pub element: usize,
@@ -67,7 +67,7 @@ impl Curve {
         })
     }
 
-    /// Where, between two places of one element, `side` goes from one sign to the other.
+    /// The place between two places of one element at which `side` changes sign.
     fn between(&self, [mut from, mut to]: [CurvePlace; 2], side: impl Fn(&Vector3<f64>) -> f64) -> CurvePlace {
         let sign = side(&self.position(from)) > 0.0;
         for _ in 0..HALVINGS {
@@ -77,7 +77,8 @@ impl Curve {
         to
     }
 
-    /// Where, nearest to the root, it crosses a quad of corners in order (two triangles, where these are not in a plane), beyond arclength `beyond`.
+    /// The crossing nearest to the root with a quad whose corners are in order (two triangles if it is not flat), beyond
+    /// arclength `beyond`.
     pub fn first_crossing(&self, corners: &[Vector3<f64>; 4], beyond: f64) -> Option<CurvePlace> {
         let length: f64 = self.elements.iter().map(|element| element.length).sum();
         let middle = corners.iter().sum::<Vector3<f64>>() / 4.0;
@@ -106,7 +107,7 @@ impl Curve {
         })
     }
 
-    /// The stretches that lie in a box: `half_edges` about the frame's origin, along its axes.
+    /// The stretches in a box: `half_edges` about the frame's origin, along its axes.
     pub fn stretches_in(&self, frame: &Frame, half_edges: &Vector3<f64>) -> Vec<[CurvePlace; 2]> {
         let length: f64 = self.elements.iter().map(|element| element.length).sum();
         if (frame.origin - self.origin).norm() > length + half_edges.norm() {
@@ -136,7 +137,7 @@ impl Curve {
         out
     }
 
-    /// Points of it, no farther apart than a chord, root and tip among them.
+    /// Points on it at most a chord apart, including root and tip.
     pub fn points(&self) -> impl Iterator<Item = Vector3<f64>> {
         [self.origin].into_iter().chain(self.chords().map(|[_, to]| self.position(to)))
     }
@@ -147,17 +148,17 @@ impl Curve {
         CurvePlace { element, s, along }
     }
 
-    /// Its nearest distance to the segment from `a` to `b`, by points no farther than a chord apart.
+    /// Its distance to the segment from `a` to `b`, by points at most a chord apart.
     pub fn distance_to_segment(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-        let way = b - a;
+        let segment = b - a;
         self.points().fold(f64::INFINITY, |least, point| {
-            let t = ((point - a).dot(&way) / way.norm_squared()).clamp(0.0, 1.0);
-            least.min((point - a - way * t).norm())
+            let t = ((point - a).dot(&segment) / segment.norm_squared()).clamp(0.0, 1.0);
+            least.min((point - a - segment * t).norm())
         })
     }
 }
 
-/// Where a strand crosses one of several quads.
+/// The crossing of a strand with one of several quads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Crossing {
     pub quad: usize,
@@ -168,7 +169,7 @@ pub(crate) struct Crossing {
 }
 
 impl Solver {
-    /// Where each strand crosses one of the quads, nearest to its root and beyond arclength `beyond`.
+    /// Each strand's crossing with one of the quads, nearest to its root and beyond arclength `beyond`.
     pub(crate) fn first_crossings(
         &self,
         ids: &[StrandId],
@@ -194,7 +195,7 @@ impl Solver {
         Ok(self.indices(ids)?.into_iter().map(crossing).collect())
     }
 
-    /// How near each strand is to the nearest of the segments, m; of a strand that is not there infinity.
+    /// Distance of each strand from the nearest of the segments, m; infinity for a nonexistent strand.
     pub(crate) fn distances_to_segments(&self, ids: &[StrandId], segments: &[[Vector3<f64>; 2]]) -> Vec<f64> {
         let distance = |id: &StrandId| {
             let Some(index) = self.slots.index(*id) else { return f64::INFINITY };

@@ -1,4 +1,4 @@
-//! Where strands are in bodies and in each other as they are now, whatever a step makes of it.
+//! Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 
 use super::constraints::Constraint;
 use super::id::{SlotMap, StrandId};
@@ -14,35 +14,35 @@ use crate::contact::touches::TouchScratch;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
-/// A place where two surfaces are in each other, before anything is allowed.
+/// A place where two surfaces overlap, without permitted overlaps.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DeepPlace {
-    /// Where, and on which strand by its index in the solver.
+    /// The place, and the strand by its index in the solver.
     pub place: Place,
-    /// The other strand's place, or which body it is.
+    /// The place on the other strand, or the body.
     pub partner: Partner,
-    /// Distance of the centrelines along the normal, m; of strand and body that of the surfaces, below zero.
+    /// Distance of the centrelines along the normal, m; between strand and body that of the surfaces, below zero.
     pub distance: f64,
-    /// Up to which distance they would press, m: of strands the sum of their radii, less what a knot near by takes of it.
+    /// The distance below which they press, m: between strands the sum of their radii, reduced by a knot near by.
     room: f64,
 }
 
-/// Places an element at which it is asked how deep it is in a body.
+/// Places per element for the depth in bodies.
 const PLACES: u32 = 16;
 
-/// A scene as it is now.
+/// The current scene.
 pub(super) struct AsItIs<'a> {
     pub strands: &'a [Strand],
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a [Constraint],
     /// At rest.
     pub bodies: &'a [BodyAt<'a>],
-    /// Whether hair touches hair.
+    /// Whether hair collides with hair.
     pub hair: bool,
     pub crew: &'a Crew,
 }
 
-/// A strand's curve as it is now.
+/// A strand's current curve.
 #[derive(Debug, Default)]
 struct Curve {
     elements: Vec<ElementState<f64>>,
@@ -51,7 +51,7 @@ struct Curve {
 }
 
 impl AsItIs<'_> {
-    /// How deep a place is beyond what is allowed there, m.
+    /// Depth of a place beyond the permitted overlap, m.
     pub fn depth(&self, deep: &DeepPlace) -> f64 {
         match deep.partner {
             Partner::Body { .. } => -deep.distance - self.allowed(&deep.place).1,
@@ -59,13 +59,13 @@ impl AsItIs<'_> {
         }
     }
 
-    /// What a place has of its strand's radius among wisps, m.
+    /// The part of its strand's radius that a place contributes among wisps, m.
     pub fn wisp_radius(&self, place: &Place) -> f64 {
         let contact = self.strands[place.strand as usize].contact.as_deref();
         contact.map_or(0.0, |contact| contact.wisp_radius) * self.allowed(place).0
     }
 
-    /// What is left of the wisp's radius at a place, and how far the strand may be in a body there.
+    /// The remaining wisp radius at a place, and the permitted depth of the strand in a body there.
     fn allowed(&self, place: &Place) -> (f64, f64) {
         let strand = &self.strands[place.strand as usize];
         let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
@@ -75,8 +75,8 @@ impl AsItIs<'_> {
         })
     }
 
-    /// All places where surfaces of strands that are asked for are in others, as a step looks for them: by strand and arclength with bodies, then
-    /// between strands, of which one at least is asked for.
+    /// All places where surfaces of the selected strands overlap others, as a step detects them: by strand and arclength with
+    /// bodies, then between strands of which at least one is selected.
     pub fn deep_places(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<DeepPlace> {
         let mut curves: Vec<(usize, Curve)> = (0..self.strands.len()).map(|index| (index, Curve::default())).collect();
         self.crew.for_each(&mut curves, |(index, curve), _| {
@@ -105,7 +105,8 @@ impl AsItIs<'_> {
         deep
     }
 
-    /// How deep elements of strands that are asked for are in bodies, surface in surface, m: at places evenly along each, of those that are.
+    /// Depths of elements of the selected strands in bodies, surface to surface, m: at places evenly along each overlapping
+    /// element.
     pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(Place, f64)> {
         let mut found: Vec<(usize, Vec<(Place, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
         self.crew.for_each(&mut found, |(index, found), _| {
@@ -141,11 +142,11 @@ impl AsItIs<'_> {
             wisps.push(contact.wisp());
             paths.push(path(*index as u32, self.strands[*index].state.root.origin, &curve.elements));
         }
-        // As a step looks: the touches that it takes for one are one here too.
+        // As in a step: contacts that it merges are merged here too.
         let options = PairOptions { margin: 0.0, ..pair_options(&wisps) };
         let (mut pairs, mut ties) = (HairPairs::default(), Vec::new());
         tied(self.constraints, |id| of.binary_search(&self.slots.index(id)?).ok(), &mut ties);
-        // What could be refused was checked when it was given to the solver.
+        // Everything that could be refused was checked when the solver received it.
         if pairs.set(&wisps, &options).and_then(|()| pairs.set_ties(&ties)).and_then(|()| pairs.update(&paths)).is_err() {
             return;
         }

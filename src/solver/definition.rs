@@ -1,4 +1,4 @@
-//! What a host says to make a solver; strands: [`StrandDef`].
+//! The options of a solver; strands: [`StrandDef`].
 
 use nalgebra::Vector3;
 
@@ -10,7 +10,7 @@ pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::step::options::StepOptions;
 pub use crate::workers::{ParallelFor, Workers};
 
-/// What a solver is made from.
+/// Options of a solver.
 ///
 /// ```
 /// use superhelix::nalgebra::Vector3;
@@ -30,27 +30,27 @@ pub use crate::workers::{ParallelFor, Workers};
 /// ```
 #[derive(Debug, Clone)]
 pub struct SolverOptions {
-    /// Gravity, m/s². Default (0, 0, −9.81): z up. For a y-up host give (0, −9.81, 0).
+    /// Gravity, m/s². Default (0, 0, −9.81): z up. For a y-up host use (0, −9.81, 0).
     pub gravity: Vector3<f64>,
-    /// Uniform wind, m/s; felt through [`Material::air_drag`](crate::rod::material::Material::air_drag).
+    /// Uniform wind, m/s; acts through [`Material::air_drag`](crate::rod::material::Material::air_drag).
     pub wind: Vector3<f64>,
-    /// How a step is taken.
+    /// Options of a step.
     pub step: StepOptions,
-    /// Who runs the strands.
+    /// The threads that step strands.
     pub workers: Workers,
-    /// The vector instructions to use; `None`: the best that the machine has. Results are the same to the bit with all of them.
+    /// The vector instructions to use; `None` for the best of the machine. Results are the same to the bit with all of them.
     pub instruction_set: Option<InstructionSet>,
-    /// How contact is answered; costs nothing where nothing touches.
+    /// Contact options; no cost where nothing is in contact.
     pub contact: ContactOptions,
-    /// A root that is sent to a place by a velocity change of more than this in a second, m/s², and by more than a quarter of its strand's
-    /// length, *jumps*: hair could not follow. Its strand goes along with it as it is, in one step, and swings from there. Above zero; infinite:
-    /// no root does. Default 200, twenty times what weighs on hair at rest: heads do less.
+    /// A root *jumps* if its new target changes its velocity by more than this per second, m/s², and its position by more than a
+    /// quarter of its strand's length: hair could not follow. The strand moves along unchanged, in one step, and swings from
+    /// there. Above zero; infinite for no jumps. Default 200, twenty times gravity: heads stay below it.
     pub jump_acceleration: f64,
-    /// What a step may cost where its call does not say.
+    /// Budget of a step where its call has none.
     pub limits: UsualLimits,
 }
 
-/// Limits of the steps that do not come with their own, see [`StepLimits`](crate::meter::StepLimits).
+/// Limits of steps without their own: see [`StepLimits`](crate::meter::StepLimits).
 ///
 /// ```
 /// use superhelix::{Solver, SolverOptions, UsualLimits};
@@ -62,9 +62,9 @@ pub struct SolverOptions {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct UsualLimits {
-    /// Most work a substep; above zero. None: [`usual_work`](crate::meter::usual_work).
+    /// Most work per substep; above zero. `None`: [`usual_work`](crate::meter::usual_work).
     pub work: Option<u64>,
-    /// Seconds a call; above zero. None: any.
+    /// Seconds per call; above zero. `None`: no limit.
     pub seconds: Option<f64>,
 }
 
@@ -84,7 +84,7 @@ impl Default for SolverOptions {
 }
 
 impl SolverOptions {
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] or [`Error::Unsupported`] for the first value that cannot be used.

@@ -1,4 +1,4 @@
-//! Changing strands from outside: where their roots go, their natural and present shapes, their rest.
+//! Edits strands: motions of roots, natural and current shapes, rest.
 
 use super::Solver;
 use super::id::StrandId;
@@ -12,8 +12,8 @@ use crate::rod::kinematics::Kinematics;
 use crate::step::equilibrium::{self, Equilibrium, EquilibriumOptions};
 
 impl Solver {
-    /// Sends roots to `frames` over the next `over_seconds` of simulated time; 0: within the next substep. The motion is smooth: it
-    /// leaves with the velocity that the root has and passes exactly through the frame.
+    /// Sends roots to `frames` over the next `over_seconds` of simulated time; 0: within the next substep. The motion is smooth:
+    /// it starts with the root's current velocity and passes exactly through the frame.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ or a time that is negative or not finite; [`Error::InvalidId`].
@@ -26,7 +26,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Puts roots at `frames` at once: the strands keep their shape and their velocities in the root's axes, and get no kick.
+    /// Moves roots to `frames` at once: the strands keep their shape and their velocities in the root's axes, without a kick.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
@@ -42,8 +42,8 @@ impl Solver {
         Ok(())
     }
 
-    /// Changes a strand's natural curvatures; a frozen freedom goes to its new value in the next step. What
-    /// [`Solver::set_element_count`] remembers of the shape before is forgotten.
+    /// Changes a strand's natural curvatures; a frozen freedom moves to its new value in the next step. Discards the earlier
+    /// shape that [`Solver::set_element_count`] keeps.
     ///
     /// # Errors
     /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for a wrong count or a number that is not finite.
@@ -76,7 +76,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Puts strands back to their natural curvatures, at rest relative to their roots, and clears a quarantine.
+    /// Resets strands to their natural curvatures, at rest relative to their roots, and clears a quarantine.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -87,10 +87,10 @@ impl Solver {
         Ok(())
     }
 
-    /// Puts strands at rest in their static equilibrium under the solver's gravity, each searched for from its present shape with its
-    /// root held where it is; wind is not felt. Clears a quarantine. Each strand's report comes in the order of `ids`: one that did
-    /// not converge is left, at rest, in the best shape that was found. A host's task system is not used: the dense eigenvalue
-    /// kernels leave memory behind on the threads that run them.
+    /// Puts strands at rest in their static equilibrium under the solver's gravity, each searched from its current shape with its
+    /// root fixed, without wind. Clears a quarantine. Each strand's report comes in the order of `ids`: one that did not converge
+    /// stays at rest in the best shape found. Never uses a host's task system: the dense eigenvalue kernels leave memory behind
+    /// on the threads that run them.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for options out of range.
@@ -126,7 +126,7 @@ impl Solver {
         self.put_with(index, curvatures, rates, &mut Kinematics::default());
     }
 
-    /// The same; `kinematics` is scratch.
+    /// The same; `kinematics` is scratch memory.
     pub(super) fn put_with(
         &mut self,
         index: usize,

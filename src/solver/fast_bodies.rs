@@ -1,6 +1,8 @@
-//! Bodies that go far among strands within a substep, and strands that swing far past thin bodies. A strand that is swept along turns as it
-//! goes, and the place where it is touched slides along it: in one step the touch that it began with says little of where it ends, and thin things
-//! came out behind it. Such a substep is taken in parts, by all.
+//! Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the
+//! whole scene.
+//!
+//! A strand that is swept along turns, and its contact slides along it. In one step the initial contact says little about the
+//! final one, and thin bodies could come out behind the strand.
 
 use std::f64::consts::PI;
 
@@ -12,31 +14,32 @@ use crate::contact::body::BodyAt;
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 
-/// In a part a body goes among strands by no more than this part of their length, or of half its own least extent, where that is more.
+/// In a substep a body moves among strands by at most this fraction of their length, or of half its own least extent, whichever
+/// is more.
 const PART_OF_LENGTH: f64 = 0.02;
 const PART_OF_EXTENT: f64 = 0.5;
-/// A body is thin where it may not go further than this part of a strand's length in a part, and half its least extent is no more than this, m. A strand
-/// goes past it by its own speed by no more than that part of its length.
+/// A body is thin if the first limit applies and half its least extent is at most this, m. A strand moves past a thin body by its
+/// own speed by at most this fraction of its length.
 const THIN: f64 = 0.05;
 const THICK: f64 = 0.02;
 const SWING: f64 = 0.25;
-/// Most parts.
-const MOST: u32 = 32;
-/// Most parts for a body that comes after a strand: it may take several substeps.
-const MOST_TO_COME_AFTER: f64 = 4.0;
+/// The largest number of substeps.
+const MAX_PARTS: u32 = 32;
+/// The largest number of substeps for a body that follows for a strand: it may take several steps.
+const MAX_PARTS_TO_FOLLOW: f64 = 4.0;
 
-/// A body that goes past a strand in the coming substep, as the strand's root sees it.
+/// A body that passes a strand in the next substep, as seen from the strand's root.
 pub(super) struct Passing {
-    /// Where it would be if it went along with the root.
+    /// Its pose if it moved along with the root.
     pub along: Frame,
-    /// How far something of it that the strand can reach goes away from there, m.
+    /// The largest displacement from there of any of its points in reach of the strand, m.
     pub travel: f64,
-    /// How far it may go at once, m.
+    /// The largest displacement per substep, m.
     pub limit: f64,
 }
 
 impl Passing {
-    /// Of a body that comes `from` there, past a strand of some `length` whose root goes from pose to pose.
+    /// A body that comes from the pose `from`, past a strand of this `length` whose root moves from pose to pose.
     pub fn new(from: &Frame, body: &BodyAt, [root_from, root_to]: &[Frame; 2], length: f64) -> Self {
         let along = from.carried(root_from, root_to);
         let turned = rotation_vector(&(body.end.rotation * along.rotation.inverse())).norm();
@@ -46,15 +49,16 @@ impl Passing {
     }
 }
 
-/// How far a body may go past a strand of some length at once, m. (One without an end is as flat from near as from far.)
+/// The largest displacement of a body past a strand of this length per substep, m. (An infinite body is as flat from close up as
+/// from afar.)
 fn limit(body: &BodyAt, length: f64) -> f64 {
     let extent = body.half_extent();
     if extent.is_finite() { (PART_OF_EXTENT * extent).max(PART_OF_LENGTH * length) } else { f64::INFINITY }
 }
 
 impl Solver {
-    /// Readies all ways for a substep of `h` seconds: one to be gone at once takes all of it.
-    pub(super) fn ready_ways(&mut self, h: f64) {
+    /// Prepares all motions for a substep of `h` seconds: a motion of duration 0 takes all of it.
+    pub(super) fn prepare_motions(&mut self, h: f64) {
         for body in &mut self.bodies {
             body.body.ready(h);
         }
@@ -66,7 +70,7 @@ impl Solver {
         }
     }
 
-    /// In how many parts the coming substep of `h` seconds is taken: more than one only where strands' substeps may be halved at all.
+    /// How many substeps the next substep of `h` seconds takes: more than one only if strands' substeps may be halved at all.
     pub(super) fn parts_of_substep(&self, h: f64) -> u32 {
         if self.options.step.max_subdivisions == 0 {
             return 1;
@@ -82,10 +86,10 @@ impl Solver {
             let fastest = if extent <= THICK { *fastest.get_or_insert_with(|| self.fastest()) } else { f64::INFINITY };
             self.strands.iter().map(|strand| strand.parts(&body, travel, extent, fastest, h)).fold(most, f64::max)
         });
-        most.ceil().min(f64::from(MOST)) as u32
+        most.ceil().min(f64::from(MAX_PARTS)) as u32
     }
 
-    /// The fastest that some point of a strand goes, m/s.
+    /// The largest speed of any point of a strand, m/s.
     fn fastest(&self) -> f64 {
         let squares = self.strands.iter().flat_map(|strand| &strand.state.velocities).map(|v| v.norm_squared());
         squares.fold(0.0, f64::max).sqrt()
@@ -93,7 +97,8 @@ impl Solver {
 }
 
 impl Strand {
-    /// In how many parts it and a body of some half extent that goes so far itself are to pass each other; no strand is faster than `fastest` (m/s).
+    /// How many substeps a strand and a body of this half extent and displacement need to pass each other; no strand is faster
+    /// than `fastest` (m/s).
     fn parts(&self, at: &BodyAt, travel: f64, extent: f64, fastest: f64, h: f64) -> f64 {
         let Some(contact) = self.contact.as_deref() else { return 1.0 };
         let still = travel == 0.0 && self.root_move.is_none() && self.astray.is_none();
@@ -112,17 +117,17 @@ impl Strand {
         let root = self.root_during(h);
         if let Some(from) = self.bodies_from().get(at.index as usize) {
             let passing = Passing::new(from, at, &root, length);
-            return (passing.travel / passing.limit).min(MOST_TO_COME_AFTER);
+            return (passing.travel / passing.limit).min(MAX_PARTS_TO_FOLLOW);
         }
         let turn = root[1].rotation * root[0].rotation.inverse();
-        // (An angle is at most π times its half's sine.)
+        // (An angle is at most π times the sine of its half.)
         let (shift, angle) = ((root[1].origin - root[0].origin).norm(), PI * turn.quaternion().imag().norm());
         let limit = limit(at, length);
         let goes_far = travel + (shift + length * angle) > limit;
         if !(goes_far || is_thin) || !at.is_near(&self.reach(contact, &root)) {
             return 1.0;
         }
-        // What it goes at most, past all of the body: no part more than one where that is within the limit.
+        // An upper bound on its motion past the whole body: one substep is enough if that is within the limit.
         let away = (root[0].origin - at.start.origin).norm();
         if travel + shift + (away + at.radius.min(away + length)) * angle <= limit {
             return swings();
@@ -131,7 +136,7 @@ impl Strand {
         (passing.travel / passing.limit).max(swings())
     }
 
-    /// How far it goes past a body in a substep of `h` seconds by its own speed, m; 0 where that is no more than `least`.
+    /// Its motion past a body in a substep of `h` seconds by its own speed, m; 0 if at most `least`.
     fn swings_by(&self, body: &BodyAt, least: f64, fastest: f64, h: f64) -> f64 {
         let root = self.state.root.origin;
         let carried_to = body.end.origin + body.end.rotation * (body.start.rotation.inverse() * (root - body.start.origin));

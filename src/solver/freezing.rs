@@ -1,5 +1,5 @@
-//! Strands that stand still: a style that is fixed. They keep their shape and go along with their roots, cost next to nothing, and wake
-//! where a body comes to them.
+//! Frozen strands: a fixed style. They keep their shape, move with their roots at almost no cost, and wake where a body
+//! approaches.
 
 use nalgebra::Vector3;
 
@@ -20,32 +20,32 @@ use crate::rod::kinematics::Kinematics;
 use crate::step::StrandOutcome;
 use crate::step::state::Past;
 
-/// A strand wakes when a body comes nearer than this to its surface, m; it is looked at in points no farther apart.
+/// A strand wakes when a body comes closer than this to its surface, m, checked at points at most this far apart.
 const REACH: f64 = 1e-3;
-/// A body that was nearer already when it was frozen wakes it when it has come nearer by this, m.
+/// A body that was already closer when the strand was frozen wakes it by coming closer by this, m.
 const NEARER: f64 = 2e-5;
-/// What has not moved against the strand's root by more than this, m and rad, has not moved.
+/// Something that moved relative to the strand's root by at most this, m and rad, has not moved.
 const STILL: f64 = 1e-9;
-/// The way of a body through a substep is looked at in steps of no less than this part of it.
+/// The least step along a body's motion through a substep, as a fraction of it.
 const LEAST_PART: f64 = 1.0 / 64.0;
 
-/// What a frozen strand knows.
+/// The data of a frozen strand.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Frozen {
     /// Points of its centreline in the axes of its root, m, and a box around them.
     points: Vec<Vector3<f64>>,
     bounds: Bounds,
-    /// Bodies that have been looked at.
+    /// Bodies that were examined.
     pub bodies: Vec<Known>,
 }
 
-/// A body that has been looked at.
+/// An examined body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Known {
     pub body: BodyId,
-    /// Where it was then, as the strand's root sees it.
+    /// Its pose then, as seen from the strand's root.
     pub place: Frame,
-    /// How near its surface was when the strand was frozen, m; more than REACH where it was not near.
+    /// Distance of its surface when the strand was frozen, m; more than REACH if it was not near.
     pub gap: f64,
 }
 
@@ -56,7 +56,7 @@ impl Frozen {
         Self { bounds: Bounds::of_points(points.iter().copied()), points, bodies }
     }
 
-    /// The distance between surfaces, where it is below `within`; the body's end is in the root's axes.
+    /// The distance between surfaces, if below `within`; the body's end pose is in the root's axes.
     fn gap(&self, body: &BodyAt, radius: f64, within: f64) -> f64 {
         let reach = within + radius + body.thickness;
         if !self.bounds.grown(reach).meets(&body.bounds) {
@@ -67,13 +67,13 @@ impl Frozen {
     }
 }
 
-/// Whether two poses are the same but for rounding.
+/// Whether two poses are equal but for rounding.
 fn is_still(one: &Frame, other: &Frame) -> bool {
     (one.origin - other.origin).norm() <= STILL && rotation_vector(&(one.rotation * other.rotation.inverse())).norm() <= STILL
 }
 
 impl Strand {
-    /// Takes a frozen strand through a substep of `h` seconds as its root goes.
+    /// Takes a frozen strand through a substep of `h` seconds with its root.
     pub fn stay(&mut self, gravity: Vector3<f64>, h: f64, rules: &Rules) -> StrandOutcome {
         let outcome = StrandOutcome { converged: true, energies: self.energies, ..StrandOutcome::default() };
         let zero = Vector3::zeros();
@@ -83,14 +83,14 @@ impl Strand {
         self.begin_root_way(h);
         let [from, to] = self.root_during(h);
         self.state.teleport(to);
-        self.moves_as_its_root(&from, h, rules);
+        self.set_rigid_velocities(&from, h, rules);
         self.advance_root(h);
         self.update_energies(gravity, rules, &mut Kinematics::default());
         StrandOutcome { energies: self.energies, ..outcome }
     }
 
-    /// Whether a body comes to a frozen strand in a substep of `h` seconds. What has been looked at is kept.
-    fn is_touched(&mut self, h: f64, bodies: &[BodyAt], ids: &[BodyId]) -> bool {
+    /// Whether a body comes near a frozen strand in a substep of `h` seconds. Records examined bodies.
+    fn is_approached(&mut self, h: f64, bodies: &[BodyAt], ids: &[BodyId]) -> bool {
         let Self { frozen: Some(frozen), contact: Some(contact), state, root_move, model, .. } = self else { return false };
         let start = state.root;
         let end = strand::root_after(root_move, &start, h);
@@ -108,9 +108,9 @@ impl Strand {
             }
             let gap = known.map_or(f64::INFINITY, |known| frozen.bodies[known].gap);
             let threshold = REACH.min(gap - NEARER);
-            let way = body.on_way(places);
-            if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&way.bounds)
-                && comes_nearer(frozen, &way, contact.radius, threshold)
+            let motion = body.on_way(places);
+            if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&motion.bounds)
+                && comes_nearer(frozen, &motion, contact.radius, threshold)
             {
                 return true;
             }
@@ -124,20 +124,20 @@ impl Strand {
     }
 }
 
-/// Whether a body comes nearer than `threshold` (m) to a frozen strand on its way, both in the root's axes: looked at again where it could have
-/// gone the distance that there was.
-fn comes_nearer(frozen: &Frozen, way: &BodyAt, radius: f64, threshold: f64) -> bool {
-    let farthest = frozen.points.iter().map(|point| (point - way.end.origin).norm()).fold(0.0, f64::max);
-    let turn = rotation_vector(&(way.end.rotation * way.start.rotation.inverse()));
-    let travel = (way.end.origin - way.start.origin).norm() + turn.norm() * farthest;
+/// Whether a body comes closer than `threshold` (m) to a frozen strand during its motion, both in the root's axes. Checks again
+/// each time it could have covered the remaining distance.
+fn comes_nearer(frozen: &Frozen, motion: &BodyAt, radius: f64, threshold: f64) -> bool {
+    let farthest = frozen.points.iter().map(|point| (point - motion.end.origin).norm()).fold(0.0, f64::max);
+    let turn = rotation_vector(&(motion.end.rotation * motion.start.rotation.inverse()));
+    let travel = (motion.end.origin - motion.start.origin).norm() + turn.norm() * farthest;
     let within = threshold + travel;
     let mut part = 0.0;
     loop {
         let at = Frame {
-            origin: way.start.origin.lerp(&way.end.origin, part),
-            rotation: crate::math::rotation::from_rotation_vector(turn * part) * way.start.rotation,
+            origin: motion.start.origin.lerp(&motion.end.origin, part),
+            rotation: crate::math::rotation::from_rotation_vector(turn * part) * motion.start.rotation,
         };
-        let gap = frozen.gap(&way.on_way([at, at]), radius, within.max(0.0));
+        let gap = frozen.gap(&motion.on_way([at, at]), radius, within.max(0.0));
         if gap < threshold {
             return true;
         }
@@ -150,16 +150,17 @@ fn comes_nearer(frozen: &Frozen, way: &BodyAt, radius: f64, threshold: f64) -> b
 }
 
 impl Solver {
-    /// Fixes the style of strands: their present shapes become rest shapes ([`Solver::take_rest_shapes`]), their velocities zero, and from now on
-    /// they keep their shape and go along with their roots. Each wakes in the substep in which a body comes to it ([`Solver::set_contact`]), nearer
-    /// than 1 mm or, where it was nearer already, nearer than it was; a constraint wakes it too, and a shape that the host gives it. Other strands do not feel it
-    /// and do not wake it. Those that are frozen already stay as they are.
+    /// Freezes the style of strands: their current shapes become rest shapes ([`Solver::take_rest_shapes`]), their velocities
+    /// become zero, and from now on they keep their shape and move with their roots. A strand wakes in the substep in which a
+    /// body that it collides with ([`Solver::set_contact`]) comes closer than 1 mm or, if it was already closer, closer than it
+    /// was. A constraint wakes it too, and so does a new shape from the host. Other strands do not collide with it and do not
+    /// wake it. Strands that are already frozen stay as they are.
     ///
-    /// Once awake and untouched it stands, since its shape is at rest under gravity without any contact; whether that rest is stable
-    /// [`Solver::shape_stability`] tells.
+    /// Awake and without contact it stays in place, since its shape is at rest under gravity. [`Solver::shape_stability`] says
+    /// whether that rest is stable.
     ///
     /// # Errors
-    /// As [`Solver::take_rest_shapes`]; [`Error::InvalidArgument`] for an identifier given twice. Then nothing has changed.
+    /// As [`Solver::take_rest_shapes`]; [`Error::InvalidArgument`] for an identifier given twice. Nothing has then changed.
     pub fn freeze_strands(&mut self, ids: &[StrandId]) -> Result<()> {
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;
@@ -193,13 +194,13 @@ impl Solver {
             (strand.astray, strand.touched) = (None, false);
             strand.frozen = Some(Box::new(frozen));
         }
-        // What it remembers of their touches is over.
+        // The warm start of their contacts is void.
         self.holding.forget();
         Ok(())
     }
 
-    /// Wakes strands: they move again from the next step on, from the shape that they have, at rest relative to their roots. Those that are awake stay
-    /// as they are.
+    /// Wakes strands: they move again from the next step on, from their current shape, at rest relative to their roots. Awake
+    /// strands stay as they are.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`.
@@ -218,8 +219,8 @@ impl Solver {
         Ok(self.indices(ids)?.into_iter().map(|index| self.strands[index].frozen.is_some()).collect())
     }
 
-    /// Wakes what bodies come to in a substep of `h` seconds, for which they are ready, and what constraints hold.
-    pub(super) fn wake_touched(&mut self, h: f64) {
+    /// Wakes strands near bodies in a substep of `h` seconds, for which the bodies are prepared, and constrained strands.
+    pub(super) fn wake_near_bodies(&mut self, h: f64) {
         if self.strands.iter().all(|strand| strand.frozen.is_none()) {
             return;
         }
@@ -233,7 +234,7 @@ impl Solver {
         let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
         let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
         self.crew.for_each(&mut self.strands, |strand, _| {
-            if strand.frozen.is_some() && strand.is_touched(h, &bodies, &ids) {
+            if strand.frozen.is_some() && strand.is_approached(h, &bodies, &ids) {
                 strand.frozen = None;
             }
         });

@@ -1,4 +1,4 @@
-//! Heat: hair takes on the shape that it has between hot plates or on a hot barrel.
+//! Heat: hair takes on its shape between hot plates or on a hot barrel.
 
 use nalgebra::Vector3;
 
@@ -10,17 +10,17 @@ use crate::error::Error;
 use crate::error::{Result, check_finite, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 
-/// What heated hair takes on as its natural shape.
+/// The natural shape that heated hair takes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum HeatedShape {
-    /// A straight, untwisted one: plates.
+    /// Straight and untwisted: plates.
     #[default]
     Straight,
-    /// The one that it is held in: a barrel.
+    /// Its current shape: a barrel.
     Present,
 }
 
-/// Where hair is heated, and to what.
+/// A heated region and its effect.
 ///
 /// ```
 /// use superhelix::editing::{HeatDef, HeatedShape};
@@ -43,32 +43,32 @@ pub enum HeatedShape {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatDef {
-    /// Where the box is in which it is hot, world.
+    /// Pose of the hot box, world.
     pub frame: Frame,
     /// Half its edges, m, above zero, along the frame's axes.
     pub half_edges: Vector3<f64>,
-    /// What the hair there takes on.
+    /// The shape that hair in it takes on.
     pub shape: HeatedShape,
-    /// How fast, 1/s, zero or above: in a second what is left to go falls to e^-rate.
+    /// Rate, 1/s, zero or above: in a second the remaining difference falls to e^-rate.
     pub rate: f64,
 }
 
-/// e^-x of x ≥ 0, by halvings of x: the same bits on every machine.
+/// e^-x for x ≥ 0, by halvings of x: the same bits on every machine.
 fn decay(x: f64) -> f64 {
-    // A thousandth of x at second order; its error is x³/(12·1024²) of an exponent.
+    // A thousandth of x to second order; its error is x³/(12·1024²) of an exponent.
     let part = x / 1024.0;
     (0..10).fold((1.0 - 0.5 * part).max(0.0) / (1.0 + 0.5 * part), |power, _| power * power)
 }
 
 impl Solver {
-    /// Heats strands for `seconds`: where an element lies in the box its natural twist and curvatures go towards straight, or towards those that it
-    /// has now; one that lies in it in part as much slower. Frozen curvatures stay. Nothing moves at once; what
-    /// [`Solver::set_element_count`] remembers of the natural shape of a strand that was heated is forgotten. Gives how much of each strand
-    /// was hot, m, in the order of `ids`.
+    /// Heats strands for `seconds`. Where an element is in the box, its natural twist and curvatures move towards straight, or
+    /// towards the current ones; an element partly inside moves proportionally slower. Frozen curvatures stay. Nothing moves at
+    /// once. Discards the natural shape that [`Solver::set_element_count`] keeps for a heated strand. Returns the heated length
+    /// of each strand, m, in the order of `ids`.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `heat`, or `seconds`, that is out of range, or an
-    /// identifier given twice. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `heat`, or `seconds`, out of range, or
+    /// an identifier given twice. Nothing has then changed.
     pub fn heat_strands(&mut self, ids: &[StrandId], heat: &HeatDef, seconds: f64) -> Result<Vec<f64>> {
         for axis in 0..3 {
             check_positive(|| format!("heat.half_edges[{axis}]"), heat.half_edges[axis])?;
@@ -92,12 +92,12 @@ impl Solver {
             for (element, length) in model.lengths.iter().enumerate() {
                 let end = start + length;
                 let inside = |[from, to]: &[super::crossing::CurvePlace; 2]| (to.along.min(end) - from.along.max(start)).max(0.0);
-                let share = stretches.iter().map(inside).sum::<f64>() / length;
+                let fraction = stretches.iter().map(inside).sum::<f64>() / length;
                 start = end;
-                if share == 0.0 {
+                if fraction == 0.0 {
                     continue;
                 }
-                let left = decay(heat.rate * seconds * share.min(1.0));
+                let left = decay(heat.rate * seconds * fraction.min(1.0));
                 for axis in (0..3).filter(|axis| freedoms.contains(*axis)) {
                     let aim = if heat.shape == HeatedShape::Present { strand.state.curvatures[element][axis] } else { 0.0 };
                     model.natural[element][axis] = aim + (model.natural[element][axis] - aim) * left;

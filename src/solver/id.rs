@@ -1,4 +1,4 @@
-//! Identifiers that can be checked: a slot, the generation of what sits in it, and a mark of the solver that gave it out.
+//! Checked identifiers: a slot, its generation, and a mark of the solver.
 
 use std::marker::PhantomData;
 
@@ -8,11 +8,11 @@ use crate::memory;
 /// An identifier as bits.
 #[doc(hidden)]
 pub trait Identifier: Copy {
-    /// Sixteen bits that tell this sort of identifiers from the others.
+    /// Sixteen bits that distinguish this type of identifier.
     const SORT: u16;
-    /// From the bits as the C ABI has them.
+    /// From the bits of the C ABI.
     fn from_bits(bits: u64) -> Self;
-    /// The bits as the C ABI has them.
+    /// The bits of the C ABI.
     fn bits(self) -> u64;
 }
 
@@ -23,12 +23,12 @@ macro_rules! identifier {
         pub struct $name(u64);
 
         impl $name {
-            /// From the bits as the C ABI has them.
+            /// From the bits of the C ABI.
             pub fn from_bits(bits: u64) -> Self {
                 Self(bits)
             }
 
-            /// The bits as the C ABI has them.
+            /// The bits of the C ABI.
             pub fn bits(self) -> u64 {
                 self.0
             }
@@ -47,7 +47,7 @@ macro_rules! identifier {
 }
 
 identifier! {
-    /// Names a strand of one solver. Zero bits is the null identifier; a removed strand's identifier never names another.
+    /// Names a strand of one solver. Zero bits are the null identifier; a removed strand's identifier is never reused.
     StrandId, 0
 }
 identifier! {
@@ -62,13 +62,13 @@ identifier! {
 const SLOT_BITS: u32 = 26;
 const GENERATION_BITS: u32 = 22;
 const MAX_GENERATION: u32 = (1 << GENERATION_BITS) - 1;
-/// Slots that a solver can have: the most strands that live at one time.
+/// The number of slots of a solver: the most strands at a time.
 pub(super) const MAX_SLOTS: usize = 1 << SLOT_BITS;
 
-/// Which slot holds which strand, and which identifiers are alive.
+/// Which slot holds which strand, and which identifiers are valid.
 #[derive(Debug, Clone)]
 pub(super) struct SlotMap<I = StrandId> {
-    /// Sixteen bits that tell this solver's identifiers from another's.
+    /// Sixteen bits that distinguish this solver's identifiers.
     pub mark: u16,
     pub slots: Vec<Slot>,
     /// Empty slots whose generation may still grow.
@@ -79,11 +79,11 @@ pub(super) struct SlotMap<I = StrandId> {
 /// One slot.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Slot {
-    /// Generation of the strand that lives here, or lived here last.
+    /// Generation of the current strand, or of the last one.
     pub generation: u32,
-    /// The highest generation ever given out here: more than `generation` after going back to a snapshot.
+    /// The highest generation ever issued here: more than `generation` after restoring a snapshot.
     pub highest: u32,
-    /// The index of the strand that lives here.
+    /// The index of its strand.
     pub index: Option<u32>,
 }
 
@@ -92,7 +92,7 @@ impl<I: Identifier> SlotMap<I> {
         Self { mark, slots: Vec::new(), free: Vec::new(), sort: PhantomData }
     }
 
-    /// Room for so many more identifiers.
+    /// Reserves space for `count` more identifiers.
     pub fn reserve(&mut self, count: usize) -> Result<()> {
         memory::grow(&mut self.slots, count.saturating_sub(self.free.len()))
     }
@@ -107,7 +107,7 @@ impl<I: Identifier> SlotMap<I> {
             }
             None => return None,
         };
-        // Generations begin at 1, so that no identifier is zero.
+        // Generations start at 1, so no identifier is zero.
         let here = &mut self.slots[slot];
         here.highest += 1;
         here.generation = here.highest;
@@ -120,7 +120,7 @@ impl<I: Identifier> SlotMap<I> {
         I::from_bits(u64::from(self.mark ^ I::SORT) << (SLOT_BITS + GENERATION_BITS) | generation << SLOT_BITS | slot as u64)
     }
 
-    /// The slot that a living identifier names.
+    /// The slot of a valid identifier.
     fn slot(&self, id: I) -> Option<usize> {
         let slot = (id.bits() & (MAX_SLOTS as u64 - 1)) as usize;
         (slot < self.slots.len() && self.slots[slot].index.is_some() && self.id_of(slot).bits() == id.bits()).then_some(slot)
@@ -131,7 +131,7 @@ impl<I: Identifier> SlotMap<I> {
         self.slot(id).and_then(|slot| self.slots[slot].index).map(|index| index as usize)
     }
 
-    /// Ends an identifier.
+    /// Invalidates an identifier.
     pub fn remove(&mut self, id: I) {
         if let Some(slot) = self.slot(id) {
             self.slots[slot].index = None;
@@ -139,14 +139,14 @@ impl<I: Identifier> SlotMap<I> {
         }
     }
 
-    /// Puts an empty slot up for use; one whose generations are used up is retired rather than begun again.
+    /// Offers an empty slot for reuse; one with exhausted generations is retired instead.
     fn offer(&mut self, slot: usize) {
         if self.slots[slot].highest < MAX_GENERATION {
             self.free.push(slot as u32);
         }
     }
 
-    /// Tells a strand's new index.
+    /// Sets a strand's new index.
     pub fn moved(&mut self, id: I, index: usize) {
         if let Some(slot) = self.slot(id) {
             self.slots[slot].index = Some(index as u32);
@@ -158,7 +158,7 @@ impl<I: Identifier> SlotMap<I> {
         self.slots.capacity() * size_of::<Slot>() + self.free.capacity() * size_of::<u32>()
     }
 
-    /// Remembers the identifiers that `later` gave out: going back to a snapshot must not give one of them out again.
+    /// Records the identifiers issued in `later`: restoring a snapshot must not issue one of them again.
     pub fn remember(&mut self, later: &Self) {
         if later.mark != self.mark {
             return;

@@ -1,4 +1,4 @@
-//! Living strands on more or fewer elements.
+//! Changes the number of elements of simulated strands.
 
 use super::Solver;
 use super::id::StrandId;
@@ -11,18 +11,19 @@ use crate::rod::strand::StrandModel;
 use crate::step::regrid::{self, Regrid};
 use crate::step::state::StrandState;
 
-/// How far lengths given for a strand may sum to something else than its length, relative.
+/// Relative tolerance of the sum of given element lengths against a strand's length.
 const LENGTH_TOLERANCE: f64 = 1e-9;
 
 impl Solver {
-    /// Puts living strands on `element_count` elements each (1 to [`MAX_ELEMENTS`]), as they are: shape, velocities and energies stay as well as
-    /// that many elements can. A multiple of a strand's present number splits every element in equal parts and is exact; a divisor joins
-    /// neighbours; anything else keeps the grading of their lengths. Gives how near each strand is, in the order of `ids`.
+    /// Changes strands to `element_count` elements each (1 to [`MAX_ELEMENTS`]) in their current state: shape, velocities and
+    /// energies are preserved as well as that many elements can. A multiple of a strand's current number splits every element
+    /// equally and is exact; a divisor joins neighbours; anything else keeps the grading of their lengths. Returns how close each
+    /// strand is, in the order of `ids`.
     ///
-    /// The natural shape with which a strand was made (or that was set last) is remembered: on any number of elements the natural
-    /// curvatures are its means, so that nothing is lost by going back and forth, and borders are those of its grading. Where detail of it
-    /// comes back the strain stays, and the curve moves by the detail ([`Regrid::exact`] is then false). Roots on their way go on. Cost: that
-    /// of a few steps. Not a step: time stands still.
+    /// The strand's original natural shape (or the last one set) is kept: on any number of elements the natural curvatures are
+    /// its means, so nothing is lost by going back and forth, and borders follow its grading. Where detail returns the strain is
+    /// preserved, and the curve moves by the detail ([`Regrid::exact`] is then false). Moving roots continue. The cost is that of
+    /// a few steps. No time passes.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a count out of range.
@@ -37,7 +38,8 @@ impl Solver {
         }))
     }
 
-    /// The same for one strand with elements of given lengths from root to tip, m; they sum to the strand's length (within 1e-9).
+    /// The same for one strand with elements of given lengths from root to tip, m; they must sum to the strand's length (within
+    /// 1e-9).
     ///
     /// # Errors
     /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for lengths that are not above zero, too many, none, or of another sum.
@@ -88,7 +90,7 @@ impl Solver {
     }
 }
 
-/// A strand on other elements; nothing if they are the ones that it has.
+/// A strand on other elements; `None` if they are the same.
 struct Made {
     changed: Option<(StrandModel, StrandState)>,
     report: Regrid,

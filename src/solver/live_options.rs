@@ -1,4 +1,4 @@
-//! Options of a living solver: read, changed, and which of two sets a restored solver has.
+//! Options of a solver: read them, change them, and choose between two sets when restoring.
 
 use nalgebra::Vector3;
 
@@ -8,27 +8,28 @@ use super::{Solver, check_vector};
 use crate::error::{Error, Result};
 use crate::step::state::Past;
 
-/// Whose options a solver has after [`Solver::restore_with`]: gravity, wind, those of the step and of contact, limits.
+/// The options of a solver after [`Solver::restore_with`]: gravity, wind, those of the step and of contact, limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RestoredOptions {
-    /// The snapshot's: further steps give the bits that they gave when it was taken.
+    /// The snapshot's: further steps give the same bits as after taking it.
     #[default]
     Snapshot,
-    /// Those that the solver had before.
+    /// The solver's previous ones.
     Own,
 }
 
 impl Solver {
-    /// What the solver was made from, with later changes.
+    /// The solver's options, with later changes.
     pub fn options(&self) -> &SolverOptions {
         &self.options
     }
 
-    /// Changes options from the next step on. Where the integrator changes, strands forget the step before, as after a jump in time; where
-    /// nothing changes, nothing does.
+    /// Changes options from the next step on. If the integrator changes, strands lose their history, as after a jump in time.
+    /// Equal options change nothing.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] and [`Error::Unsupported`] naming `options.field`; also for other workers: they are made with the solver.
+    /// [`Error::InvalidArgument`] and [`Error::Unsupported`] naming `options.field`; also for different workers: they are created
+    /// with the solver.
     pub fn set_options(&mut self, options: &SolverOptions) -> Result<()> {
         options.check("options")?;
         if !same_workers(&self.options.workers, &options.workers) {
@@ -39,13 +40,13 @@ impl Solver {
             });
         }
         let before = std::mem::replace(&mut self.options, options.clone());
-        // The task system itself stays the one that the workers hold.
+        // The workers keep their own task system.
         self.options.workers = before.workers.clone();
         self.options_changed(&before);
         Ok(())
     }
 
-    /// Brings everything up to date that follows from options.
+    /// Updates everything that depends on options.
     pub(super) fn options_changed(&mut self, before: &SolverOptions) {
         let (old, new) = (&before.step, self.options.step);
         if old.integrator != new.integrator {
@@ -66,7 +67,7 @@ impl Solver {
         }
     }
 
-    /// Strands have no step before the next one.
+    /// Deletes the strands' history.
     pub(super) fn forget_steps(&mut self) {
         for strand in &mut self.strands {
             strand.state.past = Past::default();

@@ -1,4 +1,4 @@
-//! Materials of living strands: read, changed, made as stiff as a shape needs.
+//! Materials of simulated strands: read, change, and stiffen as a shape requires.
 
 use super::Solver;
 use super::id::StrandId;
@@ -17,20 +17,21 @@ impl Solver {
         Ok(&self.strand("id", id)?.model.material)
     }
 
-    /// Changes sections and materials of living strands, one for each or one for all: from then on they are as strands that were made so. Shapes,
-    /// natural shapes, velocities and freedoms stay, and so do the radii of contact ([`Solver::set_contact`]); energies are those of the new
-    /// material. A strand that hung at rest does so no more: [`Solver::take_rest_shapes`] makes its shape one of rest again.
+    /// Changes sections and materials of strands, one for each or one for all: from then on they behave as if created with them.
+    /// Shapes, natural shapes, velocities and freedoms stay, and so do the radii of contact ([`Solver::set_contact`]); energies
+    /// are those of the new material. A strand at rest is then no longer at rest: [`Solver::take_rest_shapes`] makes its shape a
+    /// rest shape again.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `materials[i].field`, or for a count that is neither 1 nor that of
-    /// the strands. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `materials[i].field`, or for a count that is
+    /// neither 1 nor that of the strands. Nothing has then changed.
     pub fn set_materials(&mut self, ids: &[StrandId], materials: &[Material]) -> Result<()> {
         if materials.len() != ids.len() && materials.len() != 1 {
-            let expected = format!("{}, one a strand, or 1 for all", ids.len());
+            let expected = format!("{}, one per strand, or 1 for all", ids.len());
             return Err(Error::invalid("materials (count)", materials.len(), expected));
         }
         for (k, material) in materials.iter().enumerate() {
-            // Named only where it is wrong: a name for each would cost more than the checks.
+            // Named only on failure: a name for each would cost more than the checks.
             material.check("materials").or_else(|_| material.check(&format!("materials[{k}]")))?;
         }
         let indices = self.indices(ids)?;
@@ -45,14 +46,14 @@ impl Solver {
         Ok(())
     }
 
-    /// Makes strands that would not rest stably in their present shapes as much stiffer as that takes, and no more, and takes the shapes as rest
-    /// shapes ([`Solver::take_rest_shapes`], of all strands named). Afterwards the smallest eigenvalue of the static Hessian against the elastic
-    /// stiffness is at least `margin` (0 to less than 1; at 0 a strand stands on the very border). The factors, 1 or above, come in the order of
-    /// `ids`.
+    /// Stiffens strands that would not rest stably in their current shapes, by as little as possible, and makes the shapes rest
+    /// shapes ([`Solver::take_rest_shapes`], of all named strands). Afterwards the smallest eigenvalue of the static Hessian
+    /// against the elastic stiffness is at least `margin` (0 to less than 1; 0 is exactly at the limit). Returns the factors, 1
+    /// or above, in the order of `ids`.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a margin out of range, an identifier given twice, or a strand for
-    /// which no finite stiffness does. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a margin out of range, an identifier given twice, or
+    /// a strand for which no finite stiffness is enough. Nothing has then changed.
     pub fn stiffen(&mut self, ids: &[StrandId], by: Stiffening, margin: f64) -> Result<Vec<f64>> {
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;

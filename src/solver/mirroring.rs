@@ -1,4 +1,4 @@
-//! Images of living strands in a mirror.
+//! Adds mirror images of strands.
 
 use super::Solver;
 use super::id::{self, StrandId};
@@ -11,9 +11,9 @@ use crate::rod::strand::StrandModel;
 use crate::step::state::{Earlier, Past, StrandState};
 
 impl Solver {
-    /// Adds the images of strands in a mirror, as they are at this moment: shape, natural shape, velocities; curls wind the other way. Material,
-    /// contact and the host's number are copied. The images' roots stay where they are until they are moved. Their identifiers come in the
-    /// order of `ids`.
+    /// Adds the mirror images of strands in their current state: shape, natural shape, velocities; curls wind the other way.
+    /// Material, contact and the host's number are copied. The images' roots stay in place until they are moved. Returns the
+    /// identifiers in the order of `ids`.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::OutOfMemory`] when all identifiers are in use.

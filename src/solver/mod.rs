@@ -2,47 +2,47 @@
 //!
 //! Files:
 //!
-//! - `astray.rs`: Strands that a substep did not bring through: left before an iteration, carried over a jump of their root, or rolled back and brought back.
-//! - `attachment.rs`: Strands, bodies and targets of constraints that go along with one pose: a head with all that is on it.
-//! - `bodies.rs`: Bodies: what strands are kept out of.
-//! - `bringing_out.rs`: Curves drawn inside a body of the scene, brought out of it before strands are made of them.
-//! - `bulk_sampling.rs`: Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
-//! - `clips.rs`: Clips: strands held where they are in a box, and the box moved.
-//! - `constraints.rs`: Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
-//! - `contact_events.rs`: Contacts that begin and end, kept for a host that drains them: between which strand and what, where.
-//! - `crossing.rs`: Where strands cross a blade or the surface that a tooth sweeps, and where they are in a box.
-//! - `deep_places.rs`: Where strands are in bodies and in each other as they are now, whatever a step makes of it.
-//! - `definition.rs`: What a host says to make a solver; strands: `StrandDef`.
-//! - `editing.rs`: Changing strands from outside: where their roots go, their natural and present shapes, their rest.
-//! - `fast_bodies.rs`: Bodies that go far among strands within a substep, and strands that swing far past thin bodies.
-//! - `freezing.rs`: Strands that stand still: a style that is fixed.
-//! - `heating.rs`: Heat: hair takes on the shape that it has between hot plates or on a hot barrel.
+//! - `astray.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
+//! - `attachment.rs`: Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
+//! - `bodies.rs`: Bodies, which strands stay outside of.
+//! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
+//! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's threads.
+//! - `clips.rs`: Clips: hold strands where they are in a box, and move with the box.
+//! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
+//! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
+//! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
+//! - `deep_places.rs`: Overlaps of strands with bodies and with each other in the current scene, independent of any step.
+//! - `definition.rs`: The options of a solver; strands: `StrandDef`.
+//! - `editing.rs`: Edits strands: motions of roots, natural and current shapes, rest.
+//! - `fast_bodies.rs`: Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the whole scene.
+//! - `freezing.rs`: Frozen strands: a fixed style.
+//! - `heating.rs`: Heat: hair takes on its shape between hot plates or on a hot barrel.
 //! - `holding.rs`: The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton iteration.
-//! - `id.rs`: Identifiers that can be checked: a slot, the generation of what sits in it, and a mark of the solver that gave it out.
-//! - `jumps.rs`: Roots that jump: that go further within a call of `Solver::step` than their strand can follow, as when a head is dragged.
-//! - `level_of_detail.rs`: Living strands on more or fewer elements.
-//! - `live_options.rs`: Options of a living solver: read, changed, and which of two sets a restored solver has.
-//! - `materials.rs`: Materials of living strands: read, changed, made as stiff as a shape needs.
-//! - `mirroring.rs`: Images of living strands in a mirror.
-//! - `overlaps.rs`: What strands overlap as they are now, and having it allowed.
-//! - `population.rs`: Which strands there are: adding, removing, listing.
-//! - `posing.rs`: Living strands posed: dragged by a point, brushed, an element changed (`groom/pose.rs`).
-//! - `reading.rs`: What a host reads back of its strands.
-//! - `render_guides.rs`: A solver's strands as the guides of render hair, and its bodies as what that is kept out of.
-//! - `report.rs`: What a step tells afterwards.
-//! - `restyling.rs`: Shapes taken as they are at any moment of a run: as natural shapes, as rest shapes under gravity, as shapes to come back to.
-//! - `sampling.rs`: Reading a strand's material points at any arclength.
-//! - `scissors.rs`: Scissors: strands cut where a blade crosses them.
-//! - `sections.rs`: Sections that strands share: a strand made like one of the last few gets theirs.
-//! - `side_by_side.rs`: Strands of one task through a step: those of a kind side by side in packs, the rest one by one.
-//! - `snapshot.rs`: A solver's state as bytes: little-endian, versioned, checksummed; the same image on every machine.
-//! - `stepping.rs`: Time: all strands through a step, and what came of it.
-//! - `strand.rs`: One strand inside a solver: constants, state, the root's motion, and how the last step went.
-//! - `touch_compliance.rs`: How strands answer to the bodies that touch them.
+//! - `id.rs`: Checked identifiers: a slot, its generation, and a mark of the solver.
+//! - `jumps.rs`: Root jumps: roots that move farther within a call of `Solver::step` than their strand can follow.
+//! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
+//! - `live_options.rs`: Options of a solver: read them, change them, and choose between two sets when restoring.
+//! - `materials.rs`: Materials of simulated strands: read, change, and stiffen as a shape requires.
+//! - `mirroring.rs`: Adds mirror images of strands.
+//! - `overlaps.rs`: Overlaps of strands in the current scene, and permitted overlaps.
+//! - `population.rs`: The population of strands: add, remove, list.
+//! - `posing.rs`: Poses simulated strands: drag a point, brush, change an element (`groom/pose.rs`).
+//! - `reading.rs`: Reads strands back: shapes, status, energies, samples.
+//! - `render_guides.rs`: A solver's strands as guides of render hair, and its bodies as obstacles.
+//! - `report.rs`: Reports of a step.
+//! - `restyling.rs`: Restyling: takes current shapes as natural shapes, as rest shapes under gravity, or as shapes to return to.
+//! - `sampling.rs`: Samples a strand's material points at any arclengths.
+//! - `scissors.rs`: Scissors: cut strands where a blade crosses them.
+//! - `sections.rs`: Sections that strands share: a new strand equal to one of the last few gets the same one.
+//! - `side_by_side.rs`: Steps the strands of one task: those with equal pack keys side by side in packs, the rest one by one.
+//! - `snapshot.rs`: Snapshots: a solver's state as bytes, little-endian, versioned and checksummed; the same image on every machine.
+//! - `stepping.rs`: Steps all strands through time and reports the results.
+//! - `strand.rs`: One strand of a solver: constants, state, the root's motion, and the result of the last step.
+//! - `touch_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
 //! - `touching.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
-//! - `trial_steps.rs`: Strands that a body is near step as if it were not, side by side with those that nothing is near.
-//! - `trimming.rs`: Living strands cut and grown.
-//! - `workers.rs`: Who runs the strands of a step.
+//! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
+//! - `trimming.rs`: Cuts simulated strands and lets them grow.
+//! - `workers.rs`: The workers of a step and their scratch memory.
 
 mod astray;
 pub mod attachment;
@@ -111,10 +111,10 @@ use stepping::BodiesAtWork;
 use strand::Strand;
 use workers::Crew;
 
-/// Everything the engine knows: strands, gravity, wind, options.
+/// The scene: strands, bodies, constraints, gravity, wind, options.
 ///
-/// Reading (`&self`) from several threads at once is fine; changing (`&mut self`) is exclusive. Every fallible call that fails has
-/// changed nothing.
+/// Any number of threads may read (`&self`) at the same time; changes (`&mut self`) are exclusive. A call that fails has changed
+/// nothing.
 ///
 /// ```
 /// use superhelix::{Solver, SolverOptions, StrandDef};
@@ -159,7 +159,7 @@ impl Solver {
         options.check("options")?;
         let crew = Crew::new(&options.workers)?;
         let rules = Box::new(Rules::new(options.step.quadrature_tolerance));
-        // Identifiers of two living solvers differ by where the solvers are: no counter is shared between them.
+        // Identifiers of two solvers differ by the solvers' addresses: they share no counter.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
         let mark = (address >> 4).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;
         Ok(Self {
@@ -179,15 +179,15 @@ impl Solver {
         })
     }
 
-    /// The vector instructions that it uses.
+    /// The vector instructions in use.
     fn instruction_set(&self) -> InstructionSet {
         self.options.instruction_set.unwrap_or_else(InstructionSet::detected)
     }
 
-    /// Bytes that the solver holds, its strands, bodies and constraints included, as it asked the allocator for them; a shape counts
-    /// whole, though others may share it. Not among them: what the allocator itself adds (glibc: 8 to 24 bytes a piece, of which a strand
-    /// has seven or eight), and scratch memory: the threads' stacks, that of a step, which grows with the longest strand and not with
-    /// their number, and that of strands which touch or are held, which grows with their number.
+    /// Bytes allocated by the solver for strands, bodies and constraints, as requested from the allocator; a shape counts in
+    /// full, though others may share it. Not included: the allocator's overhead (glibc: 8 to 24 bytes per block, of which a
+    /// strand has seven or eight), and scratch memory: the threads' stacks, that of a step, which grows with the longest strand
+    /// and not with their number, and that of strands in contact or with constraints, which grows with their number.
     pub fn memory_usage(&self) -> u64 {
         let strands: f64 = self.strands.iter().map(Strand::heap_bytes).sum();
         let lists = size_of::<Self>()
@@ -218,13 +218,13 @@ impl Solver {
 
     fn indices_with(&self, ids: &[StrandId], frames: usize) -> Result<Vec<usize>> {
         if frames != ids.len() {
-            return Err(Error::invalid("frames (count)", frames, format!("{} frames, one a strand", ids.len())));
+            return Err(Error::invalid("frames (count)", frames, format!("{} frames, one per strand", ids.len())));
         }
         self.indices(ids)
     }
 }
 
-/// What is said of the `k`th of a call's identifiers when it names nothing. Only then: a name for each would cost more than the look-up.
+/// The error for the `k`th identifier of a call. Made only on failure: a name for each would cost more than the look-up.
 fn stale(k: usize, id: StrandId) -> Error {
     Error::InvalidId { argument: format!("ids[{k}]"), bits: id.bits() }
 }

@@ -1,5 +1,5 @@
-//! What strands overlap as they are now, and having it allowed: a groom that is drawn with wisps in wisps and hair in a head then bears no
-//! force where it stands.
+//! Overlaps of strands in the current scene, and permitted overlaps: a groom drawn with wisps in wisps and hair in a head then
+//! bears no force in its drawn shape.
 
 use super::Solver;
 use super::deep_places::AsItIs;
@@ -9,23 +9,24 @@ use crate::contact::body::BodyAt;
 use crate::contact::touch::Partner;
 use crate::error::{Error, Result};
 
-/// How deep a strand is in others and in bodies.
+/// The depth of a strand in others and in bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Overlap {
-    /// How deep it is in the strand that it is deepest in, m: what the distance of the centrelines lacks to the sum of the radii. 0: in none.
+    /// Its largest depth in another strand, m: the sum of the radii minus the distance of the centrelines. 0 for none.
     pub hair: f64,
-    /// Which strand that is.
+    /// The strand of that depth.
     pub strand: Option<StrandId>,
-    /// How deep its surface is in the body that it is deepest in, m. 0: in none.
+    /// The largest depth of its surface in a body, m. 0 for none.
     pub bodies: f64,
-    /// Which body that is.
+    /// The body of that depth.
     pub body: Option<BodyId>,
 }
 
 impl Solver {
-    /// How deep each strand is in others (where [`ContactOptions::hair`](crate::contact::options::ContactOptions::hair) is set) and in bodies
-    /// as they are now, less what it is allowed ([`Solver::allow_overlaps`]); in the order of `ids`. Strands without contact overlap nothing, what is
-    /// exempt or filtered out does not count. Moves nothing; a mesh on its way is taken where it is.
+    /// The current depths of each strand in others (if [`ContactOptions::hair`](crate::contact::options::ContactOptions::hair) is
+    /// set) and in bodies, minus its permitted overlap ([`Solver::allow_overlaps`]); in the order of `ids`. Strands without
+    /// contact overlap nothing; exempt lengths and filtered pairs do not count. Moves nothing; a moving mesh counts at its
+    /// current position.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`.
@@ -33,7 +34,7 @@ impl Solver {
         let indices = self.indices(ids)?;
         self.rest_bodies();
         let bodies = self.bodies_at_rest();
-        let scene = self.as_it_is(&bodies);
+        let scene = self.current_scene(&bodies);
         let mut found = vec![Overlap::default(); self.strands.len()];
         for deep in &scene.deep_places(|_| true) {
             let (a, depth) = (deep.place.strand as usize, scene.depth(deep));
@@ -56,16 +57,17 @@ impl Solver {
         Ok(indices.into_iter().map(|index| found[index]).collect())
     }
 
-    /// Allows the strands what they overlap now, so that no touch presses as long as they stay as they are: with rest shapes
-    /// ([`Solver::take_rest_shapes`]) the groom as it stands is at rest, however its wisps and bodies were drawn into each other. Where two wisps
-    /// overlap both keep the same share of their radii (of a strand that is not among `ids` the other one keeps what is left), where a strand is in a body
-    /// it may be as deep there; to either side as far as the element goes. What was allowed before is forgotten. Away from these places
-    /// strands touch as before; bits of steps without allowances are as if this were unknown.
+    /// Permits the strands their current overlaps, so that no contact presses as long as they stay: with rest shapes
+    /// ([`Solver::take_rest_shapes`]) the groom is at rest as it stands, however its wisps and bodies were drawn into each other.
+    /// Where two wisps overlap both keep the same fraction of their radii (for a strand outside `ids` the other one keeps what is
+    /// left). Where a strand is in a body it may be as deep there, to either side over the whole element. Earlier permitted
+    /// overlaps are discarded. Elsewhere strands collide as before; without permitted overlaps steps give the same bits as
+    /// without this feature.
     ///
-    /// Tells what was overlapped, in the order of `ids`, as [`Solver::overlaps`] does without allowances.
+    /// Returns the overlaps, in the order of `ids`, as [`Solver::overlaps`] does without permitted overlaps.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a strand named twice. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a strand named twice. Nothing has then changed.
     pub fn allow_overlaps(&mut self, ids: &[StrandId]) -> Result<Vec<Overlap>> {
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;
@@ -76,7 +78,7 @@ impl Solver {
         let mut named = vec![false; self.strands.len()];
         indices.iter().for_each(|index| named[*index] = true);
         let bodies = self.bodies_at_rest();
-        let scene = self.as_it_is(&bodies);
+        let scene = self.current_scene(&bodies);
         let stations = |index: usize| none_at(&self.strands[index].model.lengths);
         let mut made: Vec<Option<Allowance>> = vec![None; self.strands.len()];
         for deep in scene.deep_places(|_| true) {
@@ -91,7 +93,7 @@ impl Solver {
                     }
                 }
                 Partner::Strand(other) => {
-                    // Radii of those that give way, and what is left for them.
+                    // Radii of the strands that yield, and what is left for them.
                     let ends = [deep.place, other];
                     let gives = ends.map(|end| named[end.strand as usize]);
                     let radius = |end: usize| scene.wisp_radius(&ends[end]);
@@ -106,14 +108,14 @@ impl Solver {
                     for end in (0..2).filter(|end| gives[*end] && give > 0.0) {
                         let (index, element) = (ends[end].strand as usize, ends[end].element as usize);
                         let allowance = made[index].get_or_insert_with(|| stations(index));
-                        for share in &mut allowance.wisp_shares[element..element + 2] {
-                            *share = share.min((left / give).max(0.0));
+                        for fraction in &mut allowance.wisp_shares[element..element + 2] {
+                            *fraction = fraction.min((left / give).max(0.0));
                         }
                     }
                 }
             }
         }
-        // A touch is where the distance is least; what lies in a body on both sides of it, or all along, is to press nothing either.
+        // A contact is at the least distance; the strand must not press where it is in a body on both sides of it, or all along.
         for (place, depth) in scene.depths_in_bodies(|index| named[index]) {
             let (index, element) = (place.strand as usize, place.element as usize);
             let allowance = made[index].get_or_insert_with(|| stations(index));
@@ -129,14 +131,14 @@ impl Solver {
         Ok(overlaps)
     }
 
-    /// Says what strands may overlap (`None`: nothing, which is how they begin): one allowance for each, as [`Solver::allowance`] gave it.
+    /// Sets permitted overlaps (`None`, the initial value: none): one per strand, as returned by [`Solver::allowance`].
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `allowances[i].field`, or for counts that differ. Then nothing
-    /// has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `allowances[i].field`, or for counts that differ.
+    /// Nothing has then changed.
     pub fn set_allowances(&mut self, ids: &[StrandId], allowances: &[Option<Allowance>]) -> Result<()> {
         if allowances.len() != ids.len() {
-            return Err(Error::invalid("allowances (count)", allowances.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("allowances (count)", allowances.len(), format!("{}, one per strand", ids.len())));
         }
         for (k, allowance) in allowances.iter().enumerate() {
             allowance.as_ref().map_or(Ok(()), |allowance| allowance.check(&format!("allowances[{k}]")))?;
@@ -147,7 +149,7 @@ impl Solver {
         Ok(())
     }
 
-    /// What a strand may overlap.
+    /// The permitted overlap of a strand.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -155,7 +157,7 @@ impl Solver {
         Ok(self.strand("id", id)?.allowance.as_deref())
     }
 
-    /// Leaves what drew the bodies on their last ways behind.
+    /// Discards the bodies' last motions.
     pub(super) fn rest_bodies(&mut self) {
         for body in &mut self.bodies {
             body.body.rest();
@@ -166,7 +168,7 @@ impl Solver {
         self.bodies.iter().enumerate().map(|(k, scene)| scene.body.still(k as u32)).collect()
     }
 
-    fn as_it_is<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> AsItIs<'a> {
+    fn current_scene<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> AsItIs<'a> {
         AsItIs {
             strands: &self.strands,
             slots: &self.slots,
@@ -178,7 +180,7 @@ impl Solver {
     }
 }
 
-/// An allowance of nothing, with stations where elements end.
+/// A permitted overlap of nothing, with points at the ends of elements.
 fn none_at(lengths: &[f64]) -> Allowance {
     let mut along = vec![0.0];
     along.extend(lengths.iter().scan(0.0, |along, length| {

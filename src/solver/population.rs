@@ -1,4 +1,4 @@
-//! Which strands there are: adding, removing, listing.
+//! The population of strands: add, remove, list.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use crate::error::{Error, Result};
 use crate::memory;
 use crate::rod::section::Section;
 
-/// Bytes that a worker takes for an element of the longest strand while it is made, at most.
+/// An upper bound on a worker's bytes per element of the longest strand during creation.
 const SCRATCH_OF_AN_ELEMENT: usize = 8192;
 
-/// A strand on its way into the solver.
+/// A strand under creation.
 struct Made<'a> {
     id: StrandId,
     def: &'a StrandDef,
@@ -22,13 +22,14 @@ struct Made<'a> {
 }
 
 impl Solver {
-    /// Adds strands, all or none; their identifiers come in the order of the definitions.
+    /// Adds strands, all or none, and returns their identifiers in the order of the definitions.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming `strands[i].field`; [`Error::OutOfMemory`] when all identifiers are in use, or there is no room for the strands.
+    /// [`Error::InvalidArgument`] naming `strands[i].field`; [`Error::OutOfMemory`] when all identifiers are in use, or memory
+    /// runs out.
     pub fn add_strands(&mut self, strands: &[StrandDef]) -> Result<Vec<StrandId>> {
         for (index, def) in strands.iter().enumerate() {
-            // Named only where it is wrong: a name for each would cost more than the checks.
+            // Named only on failure: a name for each would cost more than the checks.
             def.check("strands").or_else(|_| def.check(&format!("strands[{index}]")))?;
         }
         if self.strands.len() + strands.len() > id::MAX_SLOTS {
@@ -45,7 +46,7 @@ impl Solver {
         memory::check_room(bytes)?;
         for def in strands {
             let Some(id) = self.slots.insert(self.strands.len() + made.len()) else {
-                // Only retired slots can bring us here; what was given out is taken back.
+                // Only retired slots lead here; the identifiers issued so far are withdrawn.
                 made.iter().for_each(|made| self.slots.remove(made.id));
                 return Err(Error::OutOfMemory { bytes: size_of::<Strand>() });
             };
@@ -61,8 +62,8 @@ impl Solver {
         Ok(ids)
     }
 
-    /// Room for as many more strands. Grows by an eighth at least, so that adding one by one is not slow; not by the double, as a list of
-    /// its own would: most of a solver's memory is here.
+    /// Reserves memory for this many more strands. Grows by an eighth at least, so that adding one by one is not slow, and not by
+    /// a factor of two like a plain list: most of a solver's memory is here.
     pub(super) fn make_room(&mut self, more: usize) -> Result<()> {
         let (length, capacity) = (self.strands.len(), self.strands.capacity());
         if length + more > capacity {
@@ -100,14 +101,14 @@ impl Solver {
         for (index, strand) in self.strands.iter().enumerate().skip(*first) {
             self.slots.moved(strand.id, index);
         }
-        // Half empty is too much; an eighth is kept for strands to come.
+        // Half empty is too much; an eighth is kept in reserve.
         if self.strands.len() <= self.strands.capacity() / 2 {
             self.strands.shrink_to(self.strands.len() + self.strands.len() / 8);
         }
         Ok(())
     }
 
-    /// Whether an identifier names a living strand of this solver.
+    /// Whether an identifier names a strand of this solver.
     pub fn has_strand(&self, id: StrandId) -> bool {
         self.slots.index(id).is_some()
     }

@@ -1,4 +1,4 @@
-//! Living strands posed: dragged by a point, brushed, an element changed (`groom/pose.rs`).
+//! Poses simulated strands: drag a point, brush, change an element (`groom/pose.rs`).
 
 use super::Solver;
 use super::id::StrandId;
@@ -13,21 +13,21 @@ use crate::groom::pose::{
 use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 
-/// Strands that a worker takes at a time, at least and at most.
-const LEAST: usize = 4;
-const MOST: usize = 64;
+/// Smallest and largest number of strands per task.
+const MIN_STRANDS_PER_TASK: usize = 4;
+const MAX_STRANDS_PER_TASK: usize = 64;
 
 /// A strand on its way to another shape.
 struct Posed<T> {
     index: usize,
-    /// Where its elements begin among those of the call.
+    /// The first of its elements among those of the call.
     first: usize,
     rows: Vec<[f64; 3]>,
     found: Option<T>,
 }
 
 impl Solver {
-    /// The shape that a strand has now.
+    /// The current shape of a strand.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -35,18 +35,19 @@ impl Solver {
         Ok(shape_of(self.strand("id", id)?))
     }
 
-    /// Drags a point of each strand to its target, roots held: among the shapes that bring it there one near the present shape, or the
-    /// natural one ([`PoseOptions::natural_pull`]), bent as the strand's stiffness bends it. What comes of each is told in the order of `ids`;
-    /// the strands are at rest then, relative to their roots, and quarantines are cleared. Bodies that a strand's contact names are kept out
-    /// of (strands without: all bodies, from the section's larger semi-axis on); other strands, constraints, gravity and natural shapes are
-    /// not looked at: [`Solver::take_rest_shapes`] makes the pose one that stays.
+    /// Drags a point of each strand to its target, with fixed roots. Of the shapes that reach it, finds one near the current
+    /// shape, or near the natural one ([`PoseOptions::natural_pull`]), bent by the strand's stiffness. Returns the results in the
+    /// order of `ids`. The strands are then at rest relative to their roots, and quarantines are cleared. A strand stays outside
+    /// the bodies that it collides with (a strand without contact: all bodies, with the section's larger semi-axis as its
+    /// radius). Other strands, constraints, gravity and natural shapes are ignored: [`Solver::take_rest_shapes`] makes the pose
+    /// permanent.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `targets[i]`, a field of `options`, an identifier given twice,
-    /// or for counts that differ. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `targets[i]`, a field of `options`, an identifier
+    /// given twice, or for counts that differ. Nothing has then changed.
     pub fn drag(&mut self, ids: &[StrandId], targets: &[DragTarget], options: &PoseOptions) -> Result<Vec<Dragged>> {
         if targets.len() != ids.len() {
-            return Err(Error::invalid("targets (count)", targets.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("targets (count)", targets.len(), format!("{}, one per strand", ids.len())));
         }
         let indices = self.indices(ids)?;
         for (k, (target, index)) in targets.iter().zip(&indices).enumerate() {
@@ -58,13 +59,13 @@ impl Solver {
         .map(|found| found.into_iter().flatten().collect())
     }
 
-    /// Moves a brush over strands, roots held: the points that lie in it follow ([`Brush`]), the strands bend. Strands with no point in the brush
-    /// are left alone to the bit, velocities included; the others are at rest then, as after [`Solver::drag`], which says what is kept out
-    /// of. What comes of each is told in the order of `ids`.
+    /// Moves a brush over strands with fixed roots: the points inside follow ([`Brush`]), and the strands bend. Strands without
+    /// points in the brush stay the same to the bit, velocities included; the others are then at rest, as after [`Solver::drag`],
+    /// which also describes the obstacles. Returns the results in the order of `ids`.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `brush` or `options`, or an identifier given twice.
-    /// Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `brush` or `options`, or an identifier
+    /// given twice. Nothing has then changed.
     pub fn brush(&mut self, ids: &[StrandId], brush: &Brush, options: &PoseOptions) -> Result<Vec<Brushed>> {
         check_brush("brush", brush)?;
         let indices = self.indices(ids)?;
@@ -75,7 +76,7 @@ impl Solver {
         .map(|found| found.into_iter().map(Option::unwrap_or_default).collect())
     }
 
-    /// Poses strands by several workers: each call of `one` sees its own strand alone. A strand of which nothing is found is left.
+    /// Poses strands with several workers: each call of `one` sees only its own strand. A strand without a result stays as it is.
     fn pose<T: Send>(
         &mut self,
         ids: &[StrandId],
@@ -100,7 +101,7 @@ impl Solver {
             Vec::new()
         };
         let strands = &self.strands;
-        self.crew.for_each_task(&mut posed, LEAST, MOST, |posed, _| {
+        self.crew.for_each_task(&mut posed, MIN_STRANDS_PER_TASK, MAX_STRANDS_PER_TASK, |posed, _| {
             let (mut scratch, mut near) = (PoseScratch::default(), Vec::new());
             for (k, posed) in posed {
                 let strand = &strands[posed.index];
@@ -124,7 +125,7 @@ impl Solver {
         Ok(found)
     }
 
-    /// That no strand is named twice.
+    /// Checks that no strand is named twice.
     pub(super) fn check_once(&self, ids: &[StrandId], indices: &[usize]) -> Result<()> {
         let mut seen = vec![false; self.strands.len()];
         for (k, index) in indices.iter().enumerate() {
@@ -135,18 +136,19 @@ impl Solver {
         Ok(())
     }
 
-    /// Changes one element of each strand: twists, bends and lengthens it; what lies beyond goes along. Twist and bending act on the present
-    /// shape, the length on the natural one as well, whose element keeps curvatures or angles alike. The strands are at rest then, relative
-    /// to their roots; where a length changes, what [`Solver::set_element_count`] remembers is forgotten.
+    /// Changes one element of each strand: twists, bends and lengthens it; everything beyond moves along. Twist and bend apply to
+    /// the current shape, the length to the natural one as well, whose element keeps curvatures or angles in the same way. The
+    /// strands are then at rest relative to their roots. A changed length discards the shape that [`Solver::set_element_count`]
+    /// keeps.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `elements[i]`, `changes[i]`, an identifier given twice, a frozen
-    /// freedom that would change, or for counts that differ; also where a constraint would hold a point that is no longer there. Then nothing
-    /// has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `elements[i]`, `changes[i]`, an identifier given
+    /// twice, a frozen freedom that would change, or for counts that differ; also where a constraint would hold a point that no
+    /// longer exists. Nothing has then changed.
     pub fn change_elements(&mut self, ids: &[StrandId], elements: &[usize], changes: &[ElementChange]) -> Result<()> {
         for (argument, count) in [("elements", elements.len()), ("changes", changes.len())] {
             if count != ids.len() {
-                return Err(Error::invalid(format!("{argument} (count)"), count, format!("{}, one a strand", ids.len())));
+                return Err(Error::invalid(format!("{argument} (count)"), count, format!("{}, one per strand", ids.len())));
             }
         }
         let indices = self.indices(ids)?;
@@ -190,7 +192,7 @@ impl Solver {
     }
 }
 
-/// Names of a change's parts.
+/// Names of a change's fields.
 const FIELDS: [&str; 3] = ["twist", "bend[0]", "bend[1]"];
 
 fn shape_of(strand: &Strand) -> StrandShape {
@@ -201,18 +203,18 @@ fn shape_of(strand: &Strand) -> StrandShape {
     }
 }
 
-/// What is about a strand of which these bodies are looked at.
+/// The surroundings of a strand, with these bodies.
 fn surroundings<'a>(strand: &'a Strand, bodies: &'a [BodyAt<'a>]) -> Surroundings<'a> {
     let Strand { model, contact, .. } = strand;
     let [a1, a2] = model.material.radius;
     let (radius, exempt) = contact.as_ref().map_or((a1.max(a2), 0.0), |contact| (contact.radius, contact.exempt_length));
-    // In units of the softest of the stiffnesses, so that what is damped is damped alike in all strands.
+    // In units of the softest stiffness, so that damping acts alike on all strands.
     let least = model.stiffness.into_iter().fold(f64::INFINITY, f64::min);
     let charge = model.stiffness.map(|stiffness| stiffness / least);
     Surroundings { bodies, radius, exempt, natural: Some(&model.natural), freedoms: model.freedoms, charge }
 }
 
-/// Whether a strand is kept out of a body.
+/// Whether a strand stays outside a body.
 fn meets(contact: Option<&StrandContact>, body: &BodyAt) -> bool {
     contact.is_none_or(|contact| body.meets(contact.groups, contact.mask))
 }

@@ -1,4 +1,4 @@
-//! What a host reads back of its strands.
+//! Reads strands back: shapes, status, energies, samples.
 
 use super::Solver;
 use super::id::StrandId;
@@ -17,8 +17,8 @@ impl Solver {
         Ok(&self.strand("id", id)?.model.lengths)
     }
 
-    /// The largest angle Ωℓ by which an element turns, in the natural or the present shape, rad. Above π/2 a strand moves too stiffly: a helix
-    /// cannot bend its own axis.
+    /// The largest angle Ωℓ by which an element turns, in the natural or the current shape, rad. Above π/2 a strand is too stiff:
+    /// a helix cannot bend its own axis.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -59,7 +59,7 @@ impl Solver {
         Ok(self.strand("id", id)?.model.mass())
     }
 
-    /// Where a strand's root is now.
+    /// The current pose of a strand's root.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -67,7 +67,7 @@ impl Solver {
         Ok(self.strand("id", id)?.state.root)
     }
 
-    /// Natural curvatures (twist, κ1, κ2) in rad/m, a row an element.
+    /// Natural curvatures (twist, κ1, κ2) in rad/m, one row per element.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -75,7 +75,7 @@ impl Solver {
         Ok(&self.strand("id", id)?.model.natural)
     }
 
-    /// Present curvatures, rad/m, a row an element.
+    /// Current curvatures, rad/m, one row per element.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -83,7 +83,7 @@ impl Solver {
         Ok(&self.strand("id", id)?.state.curvatures)
     }
 
-    /// Present rates of the curvatures, rad/(m·s), a row an element.
+    /// Current rates of the curvatures, rad/(m·s), one row per element.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -91,7 +91,7 @@ impl Solver {
         Ok(&self.strand("id", id)?.state.rates)
     }
 
-    /// How a strand fared in the last substep.
+    /// The status of a strand after the last substep.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -107,9 +107,9 @@ impl Solver {
         Ok(self.strand("id", id)?.fared.iterations)
     }
 
-    /// With how many points a strand's elements are integrated, and what that errs by in its present shape: at most
-    /// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), unless an element has turned further
-    /// than any rule is for, or since the last step began.
+    /// The number of quadrature points per element of a strand, and the quadrature error in its current shape: at most
+    /// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), unless an element has
+    /// turned farther than any rule covers, or since the start of the last step.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -127,8 +127,8 @@ impl Solver {
         Ok(self.strand("id", id)?.energies)
     }
 
-    /// What a strand did to its follicle in the last substep: the sum of weight, drag and inertia of all its points, and their moment
-    /// about the root's origin, world axes. Zero before the first step.
+    /// The action of a strand on its follicle in the last substep: the sum of weight, drag and inertia of all its points, and
+    /// their moment about the root's origin, world axes. Zero before the first step.
     ///
     /// # Errors
     /// [`Error::InvalidId`].
@@ -170,7 +170,7 @@ impl Solver {
         let strand = self.strand("id", id)?;
         let length = strand.model.length();
         for (k, arclength) in arclengths.iter().enumerate() {
-            // The elements' lengths sum to the strand's with rounding: a host that asks for the length it gave means the tip.
+            // The elements' lengths sum to the strand's with rounding: a host that passes its length means the tip.
             if !(*arclength >= 0.0 && *arclength <= length * (1.0 + 1e-9)) {
                 return Err(Error::invalid(format!("arclengths[{k}]"), arclength, format!("0 to the strand's length {length}")));
             }

@@ -1,4 +1,4 @@
-//! A solver's strands as the guides of render hair, and its bodies as what that is kept out of.
+//! A solver's strands as guides of render hair, and its bodies as obstacles.
 
 use std::sync::Mutex;
 
@@ -12,7 +12,7 @@ use crate::groom::render_hair::{GuideSamples, RenderBody, RenderHair, RenderPose
 use crate::math::frame::Frame;
 use crate::math::rotation::from_rotation_vector;
 
-/// Where strands are, as guides.
+/// Samples of strands as guides.
 #[derive(Debug, Clone, Default)]
 pub struct SolverGuides {
     points: Vec<Vector3<f64>>,
@@ -22,7 +22,7 @@ pub struct SolverGuides {
 }
 
 impl SolverGuides {
-    /// The samples, to bind or to pose render hair with.
+    /// The samples, to bind or pose render hair.
     pub fn samples(&self) -> GuideSamples<'_> {
         GuideSamples {
             points: &self.points,
@@ -59,13 +59,14 @@ impl SampleSink<f64> for Sink {
 }
 
 impl Solver {
-    /// Samples strands as guides of `points_per_strand` points each, with their follicles' frames, and with velocities where wanted.
+    /// Samples strands as guides of `points_per_strand` points each, with their follicles' frames, and with velocities on
+    /// request.
     ///
     /// # Errors
     /// As [`Solver::sample_tiles`].
     pub fn render_guides(&self, ids: &[StrandId], points_per_strand: usize, velocities: bool) -> Result<SolverGuides> {
         let wanted = Wanted { points_per_strand, origin: Vector3::zeros(), positions: true, rotations: false, velocities };
-        // All ids are looked up before memory is asked for.
+        // All identifiers are checked before memory is allocated.
         let states: Vec<_> = self.indices(ids)?.into_iter().map(|index| &self.strands[index].state).collect();
         let count = ids.len() * points_per_strand;
         let room = Room { points: vec![Vector3::zeros(); count], velocities: velocities.then(|| vec![Vector3::zeros(); count]) };
@@ -80,7 +81,7 @@ impl Solver {
         })
     }
 
-    /// Render hair whose guides are these strands as they are now: in their rest pose.
+    /// Render hair with these strands as guides in their current state, which is its rest pose.
     ///
     /// # Errors
     /// As [`Solver::render_guides`] and [`RenderHair::bind`].
@@ -89,7 +90,7 @@ impl Solver {
         RenderHair::bind(settings, &self.render_guides(ids, settings.points_per_strand, false)?.samples(), roots)
     }
 
-    /// Sets a pose from the strands that its guides are, in the order of binding; with velocities where wanted.
+    /// Sets a pose from the strands of its guides, in the order of binding, with velocities on request.
     ///
     /// # Errors
     /// As [`Solver::render_guides`] and [`RenderPose::set`].
@@ -98,8 +99,9 @@ impl Solver {
         pose.set(&self.render_guides(ids, points, velocities)?.samples())
     }
 
-    /// The bodies as they are now, for render strands to be kept out of ([`View::bodies`](crate::groom::render_hair::View::bodies)); those
-    /// whose group or mask is 0 touch nothing and are left out. `seconds` ago they are taken to have been where their velocities say.
+    /// The bodies at their current poses, as obstacles of render strands
+    /// ([`View::bodies`](crate::groom::render_hair::View::bodies)); those whose group or mask is 0 are left out. Their earlier
+    /// poses, `seconds` ago, follow from their velocities.
     pub fn render_bodies(&self, seconds: f64) -> Vec<RenderBody<'_>> {
         let bodies = self.bodies.iter().map(|body| &body.body).filter(|body| body.def().group != 0 && body.def().mask != 0);
         bodies

@@ -1,4 +1,4 @@
-//! What a step tells afterwards.
+//! Reports of a step.
 
 use nalgebra::Vector3;
 
@@ -6,49 +6,52 @@ pub use super::holding::ContactTally;
 pub use crate::energy::Energies;
 pub use crate::meter::Stopped;
 
-/// What happened in a call of [`Solver::step`](super::Solver::step), all its substeps together.
+/// The result of a call of [`Solver::step`](super::Solver::step), over all its substeps.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepReport {
     /// Substeps taken.
     pub substeps: u32,
-    /// Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end.
+    /// Strand-substeps that were rolled back because a state turned non-finite, or because contacts or constraints made it
+    /// diverge.
     pub quarantined: u32,
-    /// Strand-substeps whose Newton iteration ended at the cap or could not descend further before reaching the tolerance.
+    /// Strand-substeps whose Newton iteration reached the cap or could not descend further before the tolerance.
     pub unconverged: u32,
-    /// Most Newton iterations that a strand took in a substep.
+    /// Largest number of Newton iterations of a strand in a substep.
     pub max_iterations: u32,
-    /// Mean Newton iterations a strand and substep.
+    /// Mean number of Newton iterations per strand and substep.
     pub mean_iterations: f64,
-    /// How far an element of any strand may still be from where its iteration would end, rad.
+    /// Largest estimated distance of an element from where its iteration would converge, rad.
     pub max_residual: f64,
-    /// Largest condition number met (dense singular-value solver only; otherwise 0).
+    /// Largest condition number (dense singular-value solver only; otherwise 0).
     pub max_condition: f64,
-    /// Strand-substeps that were taken in parts (see [`StepOptions::max_subdivisions`](crate::step::options::StepOptions)).
+    /// Strand-substeps that were subdivided (see [`StepOptions::max_subdivisions`](crate::step::options::StepOptions)).
     pub subdivided: u32,
-    /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length; 0
-    /// where no error tolerance was given.
+    /// The largest error that a strand's substep, or a subdivision of it, added to a point's position, relative to the strand's
+    /// length; 0 without an error tolerance.
     pub max_error: f64,
     /// Energies after the step.
     pub energies: Energies,
-    /// What contact and constraints came to.
+    /// Results of contact and constraints.
     pub contact: ContactTally,
-    /// Why it was ended before all strands were at their end, if it was, see [`StepLimits`](crate::meter::StepLimits).
+    /// Why it ended before all strands converged, if it did: see [`StepLimits`](crate::meter::StepLimits).
     pub stopped: Stopped,
-    /// Strand-substeps that were left for that: part of `unconverged`.
+    /// Strand-substeps that ended for that reason: part of `unconverged`.
     pub left: u32,
-    /// Work on strands in contact or held by constraints, in units of [`StepLimits::work`](crate::meter::StepLimits::work); all substeps together.
+    /// Work on strands in contact or with constraints, in units of [`StepLimits::work`](crate::meter::StepLimits::work), over all
+    /// substeps.
     pub work: u64,
-    /// Strands whose root jumped: they went along with it as they were, see [`SolverOptions::jump_acceleration`](super::definition::SolverOptions::jump_acceleration).
+    /// Strands whose root jumped: they moved with it unchanged, see
+    /// [`SolverOptions::jump_acceleration`](super::definition::SolverOptions::jump_acceleration).
     pub carried: u32,
-    /// The most parts that a substep was taken in, since a body went far among strands in it; 1: none was.
+    /// The largest number of parts into which a substep was divided because a body moved far among strands; 1 for none.
     pub parts: u32,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
-    /// What the call spent it on.
+    /// The time of its phases.
     pub phases: Phases,
 }
 
-/// What a step spent its time on, s. The sum is at most [`StepReport::seconds`]; the rest is what surrounds these.
+/// The time of a step's phases, s. Their sum is at most [`StepReport::seconds`]; the rest is overhead.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Phases {
     /// The search for contacts between strands and with bodies.
@@ -67,17 +70,16 @@ impl Phases {
     }
 }
 
-/// How the elements of a strand are integrated.
+/// The quadrature of a strand's elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quadrature {
-    /// Quadrature points an element.
+    /// Quadrature points per element.
     pub points: u32,
-    /// What inertia, drag and weight of the most turned element err by, relative: 1e-12 stands for that or less, infinity for more than
-    /// 1e-2.
+    /// Relative error of inertia, drag and weight of the most turned element: 1e-12 means that or less, infinity more than 1e-2.
     pub error: f64,
 }
 
-/// What a strand does to its follicle.
+/// The action of a strand on its follicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wrench {
     /// Force on the follicle, N, world axes. At rest: the strand's weight.
@@ -86,14 +88,14 @@ pub struct Wrench {
     pub torque: Vector3<f64>,
 }
 
-/// How a strand fared in the last step.
+/// The status of a strand after the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StrandStatus {
-    /// Well.
+    /// It converged.
     #[default]
     Ok,
-    /// Newton stopped at the cap, or could not descend further, before reaching the tolerance; the state is usable.
+    /// Newton reached the cap, or could not descend further, before the tolerance; the state is usable.
     Unconverged,
-    /// The state turned non-finite, or touches or constraints drove it astray and found no end: rolled back to the step's start.
+    /// The state turned non-finite, or contacts or constraints made it diverge: rolled back to the start of the step.
     Quarantined,
 }

@@ -1,4 +1,4 @@
-//! Shapes taken as they are at any moment of a run: as natural shapes, as rest shapes under gravity, as shapes to come back to.
+//! Restyling: takes current shapes as natural shapes, as rest shapes under gravity, or as shapes to return to.
 
 use super::Solver;
 use super::id::StrandId;
@@ -11,16 +11,16 @@ use crate::rod::definition::{check_frozen, check_rows};
 use crate::step::equilibrium::{softest, weights};
 use crate::step::state::rotation_matrix;
 
-/// The quadrature of a strand's coming step: a balance found with it is exact to rounding there.
+/// The quadrature of a strand's next step: a balance computed with it is exact to rounding there.
 fn coming_rule<'a>(strand: &Strand, rules: &'a Rules) -> &'a Rule {
     let Strand { model, state, .. } = strand;
     rules.rule(rules.next_for_angle(state.rule, model.largest_angle(&state.curvatures)))
 }
 
 impl Solver {
-    /// Makes present shapes the natural ones: without weight the strands would rest in them; with it they sag from here. Nothing moves
-    /// at once, velocities stay, elastic energies are zero. What [`Solver::set_element_count`] remembers of the natural shapes before is
-    /// forgotten.
+    /// Makes current shapes the natural ones: without weight the strands would rest in them; with it they sag from here. Nothing
+    /// moves at once, velocities stay, elastic energies become zero. Discards the earlier natural shapes that
+    /// [`Solver::set_element_count`] keeps.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`.
@@ -34,14 +34,15 @@ impl Solver {
         Ok(())
     }
 
-    /// Makes present shapes those in which the strands rest under the solver's gravity, with their roots held where they are: natural curvatures
-    /// become qⁿ = q − K⁻¹ f(q) (f: the weight), exactly for the solver's own quadrature. Velocities stay: what moves goes on to move, about
-    /// its new rest; [`Solver::set_shapes`] with [`Solver::shapes`] stops it. Wind, touches and constraints are not counted: a strand that
-    /// leans on something is held up as if nothing were there. The rest need not be stable: [`Solver::shape_stability`] tells. What
-    /// [`Solver::set_element_count`] remembers of the natural shapes before is forgotten.
+    /// Makes current shapes the rest shapes under the solver's gravity, with fixed roots: natural curvatures become qⁿ = q − K⁻¹
+    /// f(q) (f: the weight), exactly for the solver's own quadrature. Velocities stay: moving strands keep moving about their new
+    /// rest; [`Solver::set_shapes`] with [`Solver::shapes`] stops them. Wind, contacts and constraints do not count: a strand
+    /// that leans on something is held up as if nothing were there. The rest need not be stable: see [`Solver::shape_stability`].
+    /// Discards the earlier natural shapes that [`Solver::set_element_count`] keeps.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a strand that is too limp for finite curvatures to hold it.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a strand that is too limp for finite curvatures to
+    /// hold it up.
     pub fn take_rest_shapes(&mut self, ids: &[StrandId]) -> Result<()> {
         let mut made: Vec<_> = self.indices(ids)?.into_iter().map(|index| (index, Vec::new())).collect();
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
@@ -64,9 +65,9 @@ impl Solver {
         Ok(())
     }
 
-    /// How firmly each strand would rest in its present shape under the solver's gravity, its root held where it is, once
-    /// [`Solver::take_rest_shapes`] has made it a rest shape; and by how much it would have to be stiffer. In the order of `ids`. Changes
-    /// nothing. Costs the cube of the number of elements; a host's task system is not used, as in [`Solver::settle`].
+    /// How firmly each strand would rest in its current shape under the solver's gravity, with its root fixed, once
+    /// [`Solver::take_rest_shapes`] has made it a rest shape; and how much stiffer it would have to be. In the order of `ids`.
+    /// Changes nothing. Costs the cube of the number of elements; never uses a host's task system, like [`Solver::settle`].
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`.
@@ -84,8 +85,8 @@ impl Solver {
         Ok(found.into_iter().map(|(_, stability)| stability).collect())
     }
 
-    /// Present curvatures of many strands, rad/m: a row an element, strand after strand in the order of `ids`. Kept by the host they are
-    /// initial shapes for [`Solver::set_shapes`]; the solver itself remembers none.
+    /// Current curvatures of many strands, rad/m: one row per element, strand after strand in the order of `ids`. The host may
+    /// keep them as initial shapes for [`Solver::set_shapes`]; the solver itself keeps none.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`.
@@ -94,11 +95,12 @@ impl Solver {
         Ok(indices.into_iter().flat_map(|index| self.strands[index].state.curvatures.iter().copied()).collect())
     }
 
-    /// Puts many strands into shapes, at rest relative to their roots; rows as [`Solver::shapes`] gives them. Clears quarantines.
+    /// Puts many strands into shapes, at rest relative to their roots; rows as returned by [`Solver::shapes`]. Clears
+    /// quarantines.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a number of rows that is not that of all elements, a number that
-    /// is not finite, or a frozen freedom that is not at its natural value. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a wrong number of rows, a number that is not finite,
+    /// or a frozen freedom that is not at its natural value. Nothing has then changed.
     pub fn set_shapes(&mut self, ids: &[StrandId], rows: &[[f64; 3]]) -> Result<()> {
         let indices = self.indices(ids)?;
         let mut end = 0;

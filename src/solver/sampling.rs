@@ -1,4 +1,4 @@
-//! Reading a strand's material points at any arclength.
+//! Samples a strand's material points at any arclengths.
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
@@ -22,7 +22,7 @@ pub struct Sample {
     pub velocity: Vector3<f64>,
 }
 
-/// Walks along a strand; asking for ascending arclengths costs one pass. Works out what is asked for and no more.
+/// Samples along a strand; ascending arclengths cost one pass. Computes only what is requested.
 pub(super) struct Sampler<'a> {
     strand: &'a Strand,
     rules: &'a Rules,
@@ -31,8 +31,8 @@ pub(super) struct Sampler<'a> {
     element: ElementState<f64>,
 }
 
-/// A place of a strand that the sampler has gone to.
-pub(super) struct Place<'a> {
+/// A place of a strand at which the sampler is.
+pub(super) struct SampledPoint<'a> {
     strand: &'a Strand,
     rule: &'a Rule,
     index: usize,
@@ -55,14 +55,14 @@ impl<'a> Sampler<'a> {
         )
     }
 
-    /// The point at `arclength`, which lies in [0, L].
+    /// The point at `arclength`, which must be in [0, L].
     pub fn at(&mut self, arclength: f64) -> Sample {
         let place = self.go(arclength);
         Sample { arclength, position: place.position(), rotation: place.rotation(), velocity: place.velocity() }
     }
 
-    /// Goes to `arclength`, which lies in [0, L].
-    pub fn go(&mut self, arclength: f64) -> Place<'_> {
+    /// Moves to `arclength`, which must be in [0, L].
+    pub fn go(&mut self, arclength: f64) -> SampledPoint<'_> {
         if arclength < self.start {
             (self.index, self.start, self.element) = (0, 0.0, Self::first(self.strand));
         }
@@ -75,7 +75,7 @@ impl<'a> Sampler<'a> {
         }
         let point = self.element.point((arclength - self.start).min(self.element.length));
         let rule = self.rules.rule(state.rule);
-        Place { strand: self.strand, rule, index: self.index, element: &self.element, point }
+        SampledPoint { strand: self.strand, rule, index: self.index, element: &self.element, point }
     }
 }
 
@@ -85,7 +85,7 @@ pub(super) fn material_rotation(element: &ElementState<f64>, point: &PointState<
     UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(element.frame_left.mul(&frame).into()))
 }
 
-impl Place<'_> {
+impl SampledPoint<'_> {
     /// In the world, m.
     pub fn position(&self) -> Vector3<f64> {
         self.strand.state.root.origin + Vector3::from(self.point.position)
@@ -96,7 +96,7 @@ impl Place<'_> {
         material_rotation(self.element, &self.point)
     }
 
-    /// The material point's velocity, m/s: the field is a polynomial on each element through the values at its nodes.
+    /// The material point's velocity, m/s: a polynomial on each element through the values at its nodes.
     pub fn velocity(&self) -> Vector3<f64> {
         let first = self.index * self.rule.len();
         let mut sum = Vec3::<f64>::zero();

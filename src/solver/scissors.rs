@@ -1,4 +1,4 @@
-//! Scissors: strands cut where a blade crosses them.
+//! Scissors: cut strands where a blade crosses them.
 
 use nalgebra::Vector3;
 
@@ -9,29 +9,29 @@ use super::id::{ConstraintId, StrandId};
 use crate::error::Error;
 use crate::error::{Result, check_finite, check_positive};
 
-/// A strand that was cut.
+/// A cut strand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cut {
     /// Which.
     pub strand: StrandId,
-    /// Its length now, m.
+    /// Its new length, m.
     pub arclength: f64,
-    /// What was cut off, m.
+    /// The removed length, m.
     pub removed: f64,
-    /// Where, world.
+    /// The place of the cut, world.
     pub position: Vector3<f64>,
-    /// Constraints that held what was cut off: they are removed with it.
+    /// Constraints on the removed part: they are removed with it.
     pub constraints: Vec<ConstraintId>,
 }
 
 impl Solver {
-    /// Cuts the strands that cross a blade, a quad of these corners in order, each at the crossing nearest to its root, but no shorter than
-    /// `min_length` (m). What is left keeps its shape, its natural shape and its velocities exactly ([`Solver::cut`]); nothing else moves.
-    /// Constraints that held what is gone are removed, and told. Gives what was cut, in the order of `ids`.
+    /// Cuts the strands that cross a blade, a quad with these corners in order, each at the crossing nearest to its root, but no
+    /// shorter than `min_length` (m). The rest keeps its shape, its natural shape and its velocities exactly ([`Solver::cut`]);
+    /// nothing else moves. Constraints on the removed parts are removed and reported. Returns the cuts in the order of `ids`.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a corner that is not finite, a length that is not above zero, an
-    /// identifier given twice. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a corner that is not finite, a length that is not
+    /// above zero, an identifier given twice. Nothing has then changed.
     pub fn cut_across(&mut self, ids: &[StrandId], corners: &[Vector3<f64>; 4], min_length: f64) -> Result<Vec<Cut>> {
         for (k, corner) in corners.iter().enumerate() {
             for axis in 0..3 {

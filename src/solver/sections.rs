@@ -1,4 +1,4 @@
-//! Sections that strands share: a strand made like one of the last few gets theirs.
+//! Sections that strands share: a new strand equal to one of the last few gets the same one.
 
 use std::sync::Arc;
 
@@ -6,11 +6,11 @@ use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::rod::section::Section;
 
-/// Kinds of strands that are remembered: hosts add strands of few kinds, kind after kind or mixed; of many kinds (every radius another)
-/// each strand has its own.
+/// The number of recent sections: hosts add strands of few types, type after type or mixed; with many types (every radius
+/// different) each strand has its own.
 const KINDS: usize = 16;
 
-/// The sections given out last.
+/// The most recent sections.
 #[derive(Debug, Default)]
 pub(super) struct Sections {
     recent: Vec<Arc<Section>>,
@@ -18,7 +18,7 @@ pub(super) struct Sections {
 }
 
 impl Sections {
-    /// The section of that material and freedoms.
+    /// The section of this material and freedoms.
     pub fn of(&mut self, material: &Material, freedoms: Freedoms) -> Arc<Section> {
         let known = self.recent.iter().find(|section| section.material == *material && section.freedoms == freedoms);
         if let Some(section) = known {
@@ -34,15 +34,15 @@ impl Sections {
         section
     }
 
-    /// Bytes on the heap: the list, and this holder's share of each section.
+    /// Bytes on the heap: the list, and this holder's fraction of each section.
     pub fn heap_bytes(&self) -> f64 {
         let list = self.recent.capacity() * size_of::<Arc<Section>>();
-        self.recent.iter().map(share).sum::<f64>() + list as f64
+        self.recent.iter().map(fraction).sum::<f64>() + list as f64
     }
 }
 
-/// A holder's share of a section's bytes: over all holders they sum to them.
-pub(super) fn share(section: &Arc<Section>) -> f64 {
-    // An Arc's two counts stand before the value.
+/// A holder's fraction of a section's bytes: over all holders they sum to the whole.
+pub(super) fn fraction(section: &Arc<Section>) -> f64 {
+    // An Arc stores two counts before the value.
     (2 * size_of::<usize>() + size_of::<Section>()) as f64 / Arc::strong_count(section) as f64
 }

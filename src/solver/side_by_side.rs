@@ -1,7 +1,7 @@
-//! Strands of one task through a step: those of a kind side by side in packs, the rest one by one.
+//! Steps the strands of one task: those with equal pack keys side by side in packs, the rest one by one.
 //!
-//! Within a kind strands are packed by how many iterations they took last time, so that a pack does not wait for one of its own. Who
-//! shares a pack changes nobody's result.
+//! Among equal pack keys strands are packed by their last numbers of iterations, so that a pack does not wait for one of its
+//! strands. The other strands of a pack do not affect a strand's result.
 
 use super::strand::{self, Holds, Strand, Tally};
 use crate::math::frame::Frame;
@@ -16,10 +16,11 @@ use crate::step::scratch::Scratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 
-/// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
+/// The most strands of a task: enough to fill packs where pack keys are mixed, and few enough that their states stay in a core's
+/// cache between substeps.
 pub(super) const MAX_TASK: usize = 256;
 
-/// Counts strands' steps. Those on trial are put down by their places, to be counted if they stand.
+/// Counts strands' steps. Those on trial are recorded by index, to be counted if they stand.
 pub(super) struct TrialTally<'a> {
     pub all: &'a mut Tally,
     pub on_trial: &'a mut [StrandOutcome],
@@ -35,8 +36,8 @@ impl TrialTally<'_> {
     }
 }
 
-/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; those that are held go another way (`holding`). Where `meter` has halted it
-/// before, they go along with their roots.
+/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`holding`). If
+/// `meter` has already halted the substep, strands move with their roots.
 pub(super) fn take(
     strands: &mut [Strand],
     setting: &Setting,
@@ -46,7 +47,7 @@ pub(super) fn take(
     scratch: &mut Scratch,
     meter: &Meter,
 ) {
-    // Nothing else is done for these in this substep.
+    // Nothing else happens to these in this substep.
     let aside: Vec<usize> = (0..strands.len()).filter(|index| strands[*index].is_aside()).collect();
     for index in &aside {
         let strand = &mut strands[*index];
@@ -54,7 +55,7 @@ pub(super) fn take(
         tally.all.add(&if stays {
             strand.stay(setting.surroundings.gravity.into(), h, setting.rules)
         } else {
-            strand.go_back(h, setting.rules)
+            strand.step_home(h, setting.rules)
         });
         strand.holds = Holds::Yes;
     }
@@ -64,7 +65,7 @@ pub(super) fn take(
     }
 }
 
-/// The same of those that take part.
+/// The same for strands that take part.
 fn take_present(
     strands: &mut [Strand],
     setting: &Setting,
@@ -123,7 +124,7 @@ fn take_present(
     }
 }
 
-/// Asks for the memory of a strand that comes next.
+/// Prefetches a strand.
 #[inline(always)]
 fn foresee(strand: &Strand) {
     let StrandState { curvatures, rates, velocities, past, .. } = &strand.state;

@@ -1,18 +1,19 @@
-//! A solver's state as bytes: little-endian, versioned, checksummed; the same image on every machine.
+//! Snapshots: a solver's state as bytes, little-endian, versioned and checksummed; the same image on every machine.
 //!
-//! Layout: "SHXSNAP\0", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). Shapes that stay as they
-//! are may be kept beside any number of images (`shapes.rs`); an image then has their contents' hashes. The body holds the options that act on results, the identifiers, every strand, body and constraint, and what a step in which touches or constraints
-//! hold strands leaves for the next. Workers, logging and callbacks are the host's and stay out, and so does the list of the last
-//! step's contacts, which acts on nothing.
+//! Layout: "SHXSNAP\0", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). Static shapes
+//! may be kept once beside any number of images (`shapes.rs`); an image then has the hashes of their contents. The body has the
+//! options that affect results, the identifiers, every strand, body and constraint, and the warm start of contacts and
+//! constraints. Workers, logging and callbacks belong to the host and are left out, and so is the list of the last step's
+//! contacts, which affects nothing.
 //!
 //! Files:
 //!
-//! - `bodies.rs`: Bodies: shapes (each once, however many bodies share it), where they are and how they move.
-//! - `bytes.rs`: Numbers into bytes and back: little-endian, every length checked against what is left before memory is taken.
-//! - `constraints.rs`: Constraints: what they ask, where their targets are on their way, what they did last.
-//! - `contact.rs`: What acts on contact beside bodies: options, what strands are to it, and what the last substep left to begin the next with.
-//! - `shapes.rs`: Shapes that stay as they are, kept once beside any number of snapshots, each under its content's hash.
-//! - `strands.rs`: Strands: constants and states.
+//! - `bodies.rs`: Bodies in a snapshot: shapes (each once, however many bodies share it), poses and motions.
+//! - `bytes.rs`: Numbers to bytes and back: little-endian, every length checked against the remaining bytes before allocation.
+//! - `constraints.rs`: Constraints in a snapshot: definitions, motions of their targets, last results.
+//! - `contact.rs`: Contact in a snapshot, beside bodies: options, contact parameters of strands, and the warm start of the next substep.
+//! - `shapes.rs`: Static shapes, stored once beside any number of snapshots, each under its content's hash.
+//! - `strands.rs`: Strands in a snapshot: constants and states.
 
 mod bodies;
 mod bytes;
@@ -45,12 +46,12 @@ use crate::memory;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{FNV_START, Reader, Writer, bad, fnv1a, of_part};
 
-/// Changes whenever an image of an older version could not be read.
+/// Changes whenever an image of an older version can no longer be read.
 pub const SNAPSHOT_VERSION: u32 = 7;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
-/// The parts of a solver that an image holds.
+/// The parts of a solver in an image.
 struct Image {
     gravity: Vector3<f64>,
     wind: Vector3<f64>,
@@ -68,17 +69,17 @@ struct Image {
     holding: Holding,
 }
 
-/// What a snapshot has of shapes that stay as they are: meshes, hulls and grids that never deformed.
+/// How a snapshot stores static shapes: meshes, hulls and grids that never deformed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SnapshotShapes {
-    /// All of each: the snapshot is enough by itself.
+    /// In full: the snapshot is self-contained.
     #[default]
     Included,
-    /// The hashes of their contents. They are found in the solver that is restored, or in an image of [`Solver::snapshot_shapes`].
+    /// By the hashes of their contents. Restoring finds them in the solver, or in an image of [`Solver::snapshot_shapes`].
     Referenced,
 }
 
-/// How a snapshot is restored.
+/// Options of restoring a snapshot.
 ///
 /// ```
 /// use superhelix::reading::{Restoring, SnapshotShapes};
@@ -97,13 +98,13 @@ pub enum SnapshotShapes {
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Restoring<'a> {
-    /// Whose options the solver has then.
+    /// Which options the solver has afterwards.
     pub options: RestoredOptions,
     /// An image of [`Solver::snapshot_shapes`], for shapes that the snapshot refers to and the solver does not have.
     pub shapes: Option<&'a [u8]>,
 }
 
-/// The body of an image, checked.
+/// The checked body of an image.
 fn unwrap(image: &[u8]) -> Result<&[u8]> {
     if image.len() < HEAD + 8 {
         return Err(bad(format!("{} bytes are too few for an image", image.len())));
@@ -117,7 +118,7 @@ fn unwrap(image: &[u8]) -> Result<&[u8]> {
     }
     let length = u64::from_le_bytes(image[12..20].try_into().unwrap_or_default());
     if length != (image.len() - HEAD - 8) as u64 {
-        return Err(bad(format!("it states a body of {length} bytes and holds {}", image.len() - HEAD - 8)));
+        return Err(bad(format!("its header has a body of {length} bytes, and the image has {}", image.len() - HEAD - 8)));
     }
     let (body, checksum) = image[HEAD..].split_at(image.len() - HEAD - 8);
     if u64::from_le_bytes(checksum.try_into().unwrap_or_default()) != fnv1a(FNV_START, body) {
@@ -127,7 +128,7 @@ fn unwrap(image: &[u8]) -> Result<&[u8]> {
 }
 
 impl Writer {
-    /// What acts on results but is not a strand.
+    /// Options that affect results.
     fn options(&mut self, options: &SolverOptions) {
         let SolverOptions { gravity, wind, step, jump_acceleration, .. } = options;
         self.vector(*gravity);
@@ -171,7 +172,7 @@ fn precision_from(value: u32) -> Result<Precision> {
     }
 }
 
-/// Reads an image back.
+/// Reads an image.
 fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<Image> {
     let mut reader = Reader { left: unwrap(image)? };
     let gravity = reader.vector()?;
@@ -213,7 +214,7 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let constraints = reader.constraints(&constraint_slots, &strands)?;
     let elements = |index: u32| strands.get(index as usize).map(|strand: &Strand| &*strand.model.lengths);
     let holding = Holding::taken_up(reader.touches()?, elements, bodies.len())
-        .ok_or_else(|| bad("what it remembers of touches is not of its scene"))?;
+        .ok_or_else(|| bad("its warm start does not match its scene"))?;
     check_taken("strands", &slots, strands.len())?;
     check_taken("bodies", &body_slots, bodies.len())?;
     check_taken("constraints", &constraint_slots, constraints.len())?;
@@ -238,27 +239,27 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     })
 }
 
-/// That no identifier names what is not there; those of what is there have been looked at.
+/// Checks that every identifier names something that exists; the reverse has been checked.
 fn check_taken<I>(what: &str, slots: &SlotMap<I>, count: usize) -> Result<()> {
     let taken = slots.slots.iter().filter(|slot| slot.index.is_some()).count();
     if taken == count { Ok(()) } else { Err(bad(format!("it holds {count} {what} and identifiers of {taken}"))) }
 }
 
-/// Takes up identifiers of an image; those given out since stay taken.
+/// Takes over an image's identifiers; those issued since then stay reserved.
 fn take_up<I: super::id::Identifier>(slots: &mut SlotMap<I>, image: SlotMap<I>) {
     let later = std::mem::replace(slots, image);
     slots.remember(&later);
 }
 
 impl Solver {
-    /// The whole state as bytes, to be given to [`Solver::restore`]: options that act on results, identifiers, strands, bodies,
-    /// constraints. Shapes are in it whole: with large meshes or grids it is as large as they are; see [`Solver::snapshot_with`].
+    /// The whole state as bytes for [`Solver::restore`]: options that affect results, identifiers, strands, bodies, constraints.
+    /// It contains shapes in full: with large meshes or grids it is as large as they are; see [`Solver::snapshot_with`].
     pub fn snapshot(&self) -> Vec<u8> {
         let shapes = SnapshotShapes::Included;
         self.write_image(shapes, Vec::with_capacity(self.snapshot_size(shapes)))
     }
 
-    /// [`Solver::snapshot`], with a choice of what it has of shapes.
+    /// [`Solver::snapshot`], with a choice of how to store shapes.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -266,7 +267,7 @@ impl Solver {
         Ok(self.write_image(shapes, memory::list(self.snapshot_size(shapes))?))
     }
 
-    /// The size of a snapshot, bytes. Nothing is written for it.
+    /// The size of a snapshot, bytes, without writing it.
     pub fn snapshot_size(&self, shapes: SnapshotShapes) -> usize {
         let mut writer = Writer::counting();
         self.write_body(&mut writer, shapes);
@@ -315,7 +316,7 @@ impl Solver {
         writer.touches(&self.holding.memory());
     }
 
-    /// Goes back to a snapshot, of this solver or another: strands, bodies, constraints, identifiers and options become those of the
+    /// Restores a snapshot of this solver or another: strands, bodies, constraints, identifiers and options become those of the
     /// image; the workers stay. The list of contacts is empty until the next step.
     ///
     /// # Errors
@@ -324,12 +325,12 @@ impl Solver {
         self.restore_with(image, &Restoring::default())
     }
 
-    /// [`Solver::restore`], with choices.
+    /// [`Solver::restore`], with options.
     ///
     /// # Errors
-    /// As [`Solver::restore`]; [`Error::Snapshot`] also for a shape that is nowhere to be found.
+    /// As [`Solver::restore`]; [`Error::Snapshot`] also for a shape that cannot be found.
     pub fn restore_with(&mut self, image: &[u8], restoring: &Restoring) -> Result<()> {
-        // Strands in memory take less than twice their bytes in an image, and shapes with what is made for their searches four times.
+        // Strands in memory take less than twice their bytes in an image, and shapes with their search data four times.
         memory::check_room(image.len().saturating_mul(4))?;
         let find = |content: u128| {
             if let Some(shape) = self.own_shape(content) {
@@ -368,15 +369,15 @@ impl Solver {
         Ok(())
     }
 
-    /// A number that differs when the state differs: options that act on results, every strand, body and constraint, not the
-    /// identifiers. The same on every machine and for any number of workers.
+    /// A hash of the state: options that affect results, every strand, body and constraint, but not the identifiers. The same on
+    /// every machine and for any number of workers.
     pub fn state_hash(&self) -> u64 {
         let mut writer = Writer::hashing();
         writer.options(&self.options);
         for strand in &self.strands {
             writer.strand(strand);
         }
-        // A scene without contact has the hash that it had before there was any.
+        // A scene without contact keeps the hash from before contact existed,
         let touching =
             self.options.contact != ContactOptions::default() || self.strands.iter().any(|strand| strand.contact.is_some());
         if touching || !self.bodies.is_empty() || !self.constraints.is_empty() {
@@ -389,13 +390,13 @@ impl Solver {
             writer.constraints(&self.constraints, &self.slots, |_, _| ());
             writer.touches(&self.holding.memory());
         }
-        // And one without allowances that which it had before there were any.
+        // one without permitted overlaps that from before they existed,
         if self.strands.iter().any(|strand| strand.allowance.is_some()) {
             for strand in &self.strands {
                 writer.allowance(strand.allowance.as_deref());
             }
         }
-        // Nor did the golden hashes know of limits.
+        // and one without limits likewise: golden hashes depend on it.
         if self.options.limits != UsualLimits::default() {
             writer.limits(&self.options.limits);
         }

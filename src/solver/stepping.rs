@@ -1,4 +1,4 @@
-//! Time: all strands through a step, and what came of it.
+//! Steps all strands through time and reports the results.
 
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
@@ -20,14 +20,14 @@ use crate::platform::{HAS_CLOCK, Instant};
 use crate::step::options::Integrator;
 use crate::step::{Setting, Surroundings, packs, subdivision};
 
-/// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
+/// The shortest substep, s: below it the rounding of positions, divided by the square of the step, swamps every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
 
-/// A part of a substep is to have so many times the time of what it takes beside its iterations at least, and so much work an element of all strands.
+/// A part of a substep takes at least this many times the time of its overhead, and this much work per element of all strands.
 const SHARE_OF_BESIDE: f64 = 3.0;
 const WORK_OF_A_PART: f64 = 8.0;
 
-/// What the substeps of a call may cost.
+/// The budget of a call's substeps.
 struct Clock<'a> {
     limits: &'a StepLimits<'a>,
     end: Option<Instant>,
@@ -42,13 +42,13 @@ impl<'a> Clock<'a> {
         Self { limits, end: end.and_then(|seconds| started.checked_add(seconds)), substeps, elements }
     }
 
-    /// Whether time is up, or the call was cancelled.
+    /// Whether time is up, or the host has cancelled.
     fn is_over(&self) -> bool {
         self.limits.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed) != 0)
             || self.end.is_some_and(|end| Instant::now() >= end)
     }
 
-    /// The most parts of a substep that there is work and time for, when there are so many substeps `left`, with it.
+    /// The largest number of parts of a substep within work and time, with this many substeps `left`, including this one.
     fn most_parts(&self, left: f64, beside: Beside) -> u32 {
         let by_work = self.work() as f64 / (WORK_OF_A_PART * self.elements as f64);
         let seconds = |end: Instant| end.saturating_duration_since(Instant::now()).as_secs_f64() / left;
@@ -56,13 +56,13 @@ impl<'a> Clock<'a> {
         by_time.map_or(by_work, |by_time| by_work.min(by_time)).clamp(1.0, f64::from(u32::MAX)) as u32
     }
 
-    /// The meter of a part of a substep, which begins now and shares what there is with the others after it: time and the substep's `work`.
-    /// `end_seconds`: what its end takes.
+    /// The meter of a part of a substep that starts now and shares the rest with later parts: time, and the substep's `work`.
+    /// `end_seconds`: the time for finishing it.
     fn meter(&self, left: &Left, end_seconds: f64) -> Meter<'a> {
         let deadline = self.end.map(|end| {
             let now = Instant::now();
-            let share = end.saturating_duration_since(now).as_secs_f64() / (left.parts + left.substeps * left.all_parts);
-            now + Duration::from_secs_f64((share - end_seconds).max(0.0))
+            let fraction = end.saturating_duration_since(now).as_secs_f64() / (left.parts + left.substeps * left.all_parts);
+            now + Duration::from_secs_f64((fraction - end_seconds).max(0.0))
         });
         Meter::new((left.work as f64 / left.parts) as u64, deadline, self.limits.cancel)
     }
@@ -73,19 +73,19 @@ impl<'a> Clock<'a> {
     }
 }
 
-/// What is left when a part of a substep begins.
+/// What is left at the start of a part of a substep.
 struct Left {
-    /// Of the substep's work.
+    /// The substep's work.
     work: u64,
-    /// Of its parts, with this one.
+    /// Its parts, including this one.
     parts: f64,
-    /// Of how many.
+    /// All of its parts.
     all_parts: f64,
-    /// Substeps after it.
+    /// Later substeps.
     substeps: f64,
 }
 
-/// Lists of what a substep works on, one item a body, kept for their memory.
+/// A substep's lists with one item per body, kept for their memory.
 #[derive(Default)]
 pub(super) struct BodiesAtWork {
     at: Vec<BodyAt<'static>>,
@@ -93,25 +93,25 @@ pub(super) struct BodiesAtWork {
     wrenches: Vec<Wrench>,
 }
 
-/// Which of a call's substeps one is.
-struct Place {
+/// The position of a substep in its call.
+struct SubstepPosition {
     is_last: bool,
-    /// One of the parts of a substep in which a body goes far.
+    /// Whether it is part of a substep in which a body moves far.
     is_fast: bool,
 }
 
-/// What substeps have taken, and why they were ended before all strands were at their end.
+/// The cost of substeps, and why they ended before all strands converged.
 #[derive(Debug, Clone, Copy, Default)]
 struct Spent {
     work: u64,
     stopped: Stopped,
-    /// The most parts that a substep was taken in.
+    /// The largest number of parts of a substep.
     parts: u32,
     phases: Phases,
 }
 
 impl Spent {
-    /// Counts a substep; `left`: whether something was left in it.
+    /// Counts a substep; `left`: whether it left something undone.
     fn add(&mut self, meter: &Meter, left: bool) {
         self.work += meter.units();
         if left {
@@ -121,26 +121,26 @@ impl Spent {
 }
 
 impl Solver {
-    /// Takes all strands through `dt` seconds in `substeps` equal parts.
+    /// Takes all strands through `dt` seconds in `substeps` equal substeps.
     ///
-    /// A strand that does not converge keeps its best state and is counted; one whose numbers turn non-finite, or that goes astray in
-    /// touches or constraints without end, is rolled back to the substep's start and counted; the others go on.
+    /// A strand that does not converge keeps its best state and is counted. One whose numbers turn non-finite, or that diverges
+    /// in contacts or constraints, is rolled back to the start of the substep and counted; the others continue.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`];
-    /// [`Error::Unsupported`] where strands may touch something or constraints hold them and the integrator is
-    /// [`Integrator::Reference`], which steps free strands only.
+    /// [`Error::Unsupported`] if strands may be in contact or have constraints and the integrator is [`Integrator::Reference`],
+    /// which steps free strands only.
     pub fn step(&mut self, dt: f64, substeps: u32) -> Result<StepReport> {
         self.step_within(dt, substeps, &StepLimits::default())
     }
 
-    /// The same within limits of work or time, or until it is called off. What has not converged by then stays as the iteration has left it, whole and
-    /// finite, or, where none was done for it and where the step was called off, keeps its shape and goes along with its root; it counts as unconverged,
-    /// and the report says why. Roots and bodies are where the host has sent them in any case.
+    /// The same within limits of work or time, or until the host cancels. What has not converged by then keeps the last iterate,
+    /// whole and finite, or, without any iteration or after a cancellation, keeps its shape and moves with its root. It counts as
+    /// unconverged, and the report says why. Roots and bodies reach their targets in any case.
     ///
     /// # Errors
-    /// As [`Solver::step`]; [`Error::InvalidArgument`] for seconds that are not finite and above zero; [`Error::Unsupported`] for seconds where there
-    /// is no clock (`wasm32-unknown-unknown`).
+    /// As [`Solver::step`]; [`Error::InvalidArgument`] for seconds that are not finite and above zero; [`Error::Unsupported`] for
+    /// seconds without a clock (`wasm32-unknown-unknown`).
     pub fn step_within(&mut self, dt: f64, substeps: u32, limits: &StepLimits) -> Result<StepReport> {
         let started = Instant::now();
         let usual = self.options.limits;
@@ -179,7 +179,7 @@ impl Solver {
         Ok(StepReport { contact, work, stopped, carried: jumped, parts: parts.max(1), phases, ..report })
     }
 
-    /// The substeps of a scene in which nothing can hold strands: each task takes its own through all of them.
+    /// The substeps of a scene without contacts or constraints: each task takes its own strands through all of them.
     fn step_free(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> Spent {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -200,20 +200,20 @@ impl Solver {
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
-        // What was done in time does not tell that time was up afterwards.
+        // Work that was done in time does not show that time ran out afterwards.
         let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
         let phases = Phases { strands: begins.elapsed().as_secs_f64(), ..Phases::default() };
         Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
     }
 
-    /// Whether something may hold strands. Bodies and constraints are on their ways whether they do or not.
+    /// Whether contacts or constraints may act on strands. Bodies and constraints move in either case.
     fn holds_strands(&self) -> bool {
         let hair = self.options.contact.hair && self.strands.iter().any(|strand| strand.contact.is_some());
         hair || !self.bodies.is_empty() || !self.constraints.is_empty()
     }
 
-    /// Held strands take their steps by implicit Euler, which would be silent where the reference was asked for. What decides are what strands
-    /// are to contact and the constraints, not where things are: a scene does not run for a while and is refused then.
+    /// Constrained strands step by implicit Euler, which would silently replace the reference integrator. The strands' contact
+    /// parameters and the constraints decide, not positions: a scene does not run for a while before it is refused.
     fn check_integrator(&self) -> Result<()> {
         if self.options.step.integrator != Integrator::Reference {
             return Ok(());
@@ -237,8 +237,8 @@ impl Solver {
         })
     }
 
-    /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next. One in which a body goes
-    /// far among them is taken in parts.
+    /// The substeps of a scene with possible contacts or constraints: all strands finish each one before any starts the next. A
+    /// substep in which a body moves far among strands is divided.
     fn step_holding(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> (ContactTally, Spent) {
         let (mut contact, mut spent) = (ContactTally::default(), Spent::default());
         for body in &mut self.bodies {
@@ -246,7 +246,7 @@ impl Solver {
         }
         'substeps: for substep in 0..clock.substeps {
             let substeps = f64::from(clock.substeps - substep);
-            self.ready_ways(h);
+            self.prepare_motions(h);
             let parts = self.parts_of_substep(h).min(clock.most_parts(substeps, self.holding.beside()));
             spent.parts = spent.parts.max(parts);
             let mut work = clock.work();
@@ -255,16 +255,17 @@ impl Solver {
                 let left = Left { work, parts: to_do, all_parts, substeps: substeps - 1.0 };
                 let meter = clock.meter(&left, self.holding.beside().end);
                 if clock.is_over() {
-                    // There is nothing more to be done in any of them: all go along with their roots, at once.
+                    // Nothing more can be done in any of them: all strands move with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
-                    self.ready_ways(rest);
-                    let phases = self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false });
+                    self.prepare_motions(rest);
+                    let phases =
+                        self.take_substep(rest, &meter, &mut contact, total, SubstepPosition { is_last: true, is_fast: false });
                     spent.phases.add(&phases);
                     spent.add(&meter, true);
                     break 'substeps;
                 }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
-                let place = Place { is_last, is_fast: parts > 1 };
+                let place = SubstepPosition { is_last, is_fast: parts > 1 };
                 let phases = self.take_substep(h / all_parts, &meter, &mut contact, total, place);
                 spent.phases.add(&phases);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
@@ -272,20 +273,27 @@ impl Solver {
                 work = work.saturating_sub(meter.units());
             }
         }
-        // Where nothing holds strands any more the next step looks for none.
+        // If contacts and constraints are gone, the next step does not look for any.
         for strand in &mut self.strands {
             strand.holds = Holds::No;
         }
         (contact, spent)
     }
 
-    /// A substep of `h` seconds, or a part of one. Gives what it spent its time on.
-    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) -> Phases {
-        let Place { is_last, is_fast } = place;
+    /// A substep of `h` seconds, or a part of one. Returns the time of its phases.
+    fn take_substep(
+        &mut self,
+        h: f64,
+        meter: &Meter,
+        contact: &mut ContactTally,
+        total: &Mutex<Tally>,
+        place: SubstepPosition,
+    ) -> Phases {
+        let SubstepPosition { is_last, is_fast } = place;
         for scene_body in &mut self.bodies {
             scene_body.body.begin(h);
         }
-        self.wake_touched(h);
+        self.wake_near_bodies(h);
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -339,7 +347,7 @@ impl Solver {
             body.body.finish(h);
         }
         self.bodies_at_work = BodiesAtWork { at, ids, wrenches };
-        // Strands are what is neither searching nor contact: who takes them does so between the two.
+        // Strands are whatever is neither search nor contact: they step between the two.
         let Phases { search, contact, .. } = self.holding.take_phases();
         Phases { search, contact, strands: (taken - search - contact).max(0.0) }
     }

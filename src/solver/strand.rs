@@ -1,4 +1,4 @@
-//! One strand inside a solver: constants, state, the root's motion, and how the last step went.
+//! One strand of a solver: constants, state, the root's motion, and the result of the last step.
 
 use std::sync::Arc;
 
@@ -27,42 +27,42 @@ use crate::step::scratch::Scratch;
 use crate::step::state::{Earlier, StrandState, rotation_matrix};
 use crate::step::{Setting, StrandOutcome};
 
-/// A strand and all that the solver keeps about it.
+/// A strand and the solver's data about it.
 #[derive(Debug, Clone)]
-#[repr(C)] // In this order: the first lines of memory are all of it that sampling reads.
+#[repr(C)] // In this order: sampling reads only the first cache lines.
 pub(super) struct Strand {
     pub model: StrandModel,
     pub state: StrandState,
     pub id: StrandId,
     pub user_data: u64,
-    /// The natural shape as it was given, where `model` has other elements.
+    /// The original natural shape, if `model` has other elements.
     pub authored: Option<Box<Authored>>,
-    /// Where the root is going, and how many seconds of the way are done. Apart: most of a strand's other numbers are needed by every
-    /// step, this one only while the root moves.
+    /// The root's current move, and its elapsed seconds. Separate, because every step needs most of a strand's other numbers, and
+    /// this only while the root moves.
     pub root_move: Option<Box<(PoseMove, f64)>>,
     pub energies: Energies,
     /// The last substep.
     pub fared: Fared,
-    /// Whether touches or constraints hold it in this substep.
+    /// Whether contacts or constraints may act on it in this substep.
     pub holds: Holds,
-    /// It was near something in the last substep.
+    /// Whether it was near something in the last substep.
     pub touched: bool,
-    /// What it is to contact; none: it touches nothing.
+    /// Its contact parameters; `None` for no contact.
     pub contact: Option<Box<StrandContact>>,
-    /// What it may overlap; none: nothing.
+    /// Its permitted overlap; `None` for none.
     pub allowance: Option<Box<Allowance>>,
-    /// What is kept of it where a substep has not brought it through.
+    /// Its record where it has diverged.
     pub astray: Option<Box<Astray>>,
-    /// It stands still.
+    /// Set for a frozen strand.
     pub frozen: Option<Box<Frozen>>,
 }
 
-/// Whether something holds a strand in a substep.
+/// Whether something constrains a strand in a substep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Holds {
     /// Nothing does: it steps side by side with others.
     No,
-    /// Only a body may that is near.
+    /// Only a body near by may.
     Perhaps,
     /// The same, and it tries a step side by side with others.
     OnTrial,
@@ -70,7 +70,7 @@ pub(super) enum Holds {
     Yes,
 }
 
-/// What is kept of how a substep went; the rest goes into the call's [`Tally`].
+/// What a strand keeps of a substep's result; the rest goes into the call's [`Tally`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fared {
     pub iterations: u32,
@@ -85,20 +85,20 @@ impl From<&StrandOutcome> for Fared {
 }
 
 impl Default for Fared {
-    /// Nothing was done, and well.
+    /// Nothing was done, and it converged.
     fn default() -> Self {
         Self { iterations: 0, converged: true, quarantined: false }
     }
 }
 
-/// A natural shape on the elements that it was given for.
+/// A natural shape on its original elements.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Authored {
     pub lengths: Box<[f64]>,
     pub natural: Box<[[f64; 3]]>,
 }
 
-/// What the strands' substeps of one call came to. Sums of whole numbers and largest values: the same in whatever order strands come.
+/// The results of the strands' substeps of one call. Sums of whole numbers and largest values: independent of the strands' order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Tally {
     pub iterations: u64,
@@ -109,7 +109,7 @@ pub(super) struct Tally {
     pub condition: f64,
     pub subdivided: u32,
     pub error: f64,
-    /// Of those that did not converge: left before their end, by what the substep might cost.
+    /// The unconverged ones that ended early, by the substep's budget.
     pub left: u32,
 }
 
@@ -141,7 +141,7 @@ impl Tally {
     }
 }
 
-/// The root's pose `elapsed` seconds on: on its way, or where it rests.
+/// The root's pose after `elapsed` seconds of its move, or at rest.
 pub(super) fn root_after(root_move: &Option<Box<(PoseMove, f64)>>, rest: &Frame, elapsed: f64) -> Frame {
     match root_move.as_deref() {
         Some((root_move, done)) => {
@@ -179,18 +179,18 @@ impl Strand {
         }
     }
 
-    /// Where the root is at the start and the end of the coming `h` seconds.
+    /// The root's poses at the start and the end of the next `h` seconds.
     pub fn root_during(&self, h: f64) -> [Frame; 2] {
         [self.state.root, root_after(&self.root_move, &self.state.root, h)]
     }
 
-    /// A box around all that its surface may reach while the root goes from place to place.
+    /// A box around everything that its surface may reach while the root moves from pose to pose.
     pub fn reach(&self, contact: &StrandContact, root: &[Frame; 2]) -> Bounds {
         let reach = Vector3::repeat(self.model.length() + contact.radius);
         Bounds::around(root[0].origin, reach).union(&Bounds::around(root[1].origin, reach))
     }
 
-    /// Whether it is taken through this substep with what may hold it.
+    /// Whether it steps through this substep as a constrained strand.
     pub fn is_held(&self) -> bool {
         matches!(self.holds, Holds::Perhaps | Holds::Yes)
     }
@@ -205,7 +205,7 @@ impl Strand {
         }
     }
 
-    /// Sends the root to `frame` in `duration` seconds, leaving with the velocity that it has.
+    /// Sends the root to `frame` in `duration` seconds, starting with its current velocity.
     pub fn move_root(&mut self, frame: Frame, duration: f64) {
         let to_local = self.state.root.rotation.inverse();
         let root_move = PoseMove {
@@ -215,21 +215,21 @@ impl Strand {
             angular_velocity: to_local * self.instant_angular_velocity(),
             duration,
         };
-        // A root that is moved every frame keeps its place for the way.
+        // A root that moves every frame keeps its allocation.
         match &mut self.root_move {
             Some(place) => **place = (root_move, 0.0),
             None => self.root_move = Some(Box::new((root_move, 0.0))),
         }
     }
 
-    /// Leaves the root where it is, at rest.
+    /// Stops the root where it is.
     pub fn stop_root(&mut self) {
         self.root_move = None;
         self.state.root_velocity = Vector3::zeros();
         self.state.root_angular_velocity = Vector3::zeros();
     }
 
-    /// The root's velocity where the last move left it: that of the move's end if it was finished.
+    /// The root's velocity at the end of the last move: that of the move's end if it finished.
     pub(super) fn instant_velocity(&self) -> Vector3<f64> {
         match self.root_move.as_deref() {
             Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
@@ -248,7 +248,7 @@ impl Strand {
         }
     }
 
-    /// A way to be gone at once takes the coming substep of `h` seconds.
+    /// A move of duration 0 takes the next substep of `h` seconds.
     pub fn begin_root_way(&mut self, h: f64) {
         if let Some((root_move, _)) = self.root_move.as_deref_mut()
             && root_move.duration == 0.0
@@ -257,7 +257,7 @@ impl Strand {
         }
     }
 
-    /// Counts `h` seconds of the root's way; a move that ended a step ago is forgotten, and the root rests.
+    /// Advances the root's move by `h` seconds; a move that ended a step ago is deleted, and the root rests.
     pub fn advance_root(&mut self, h: f64) {
         if let Some((root_move, elapsed)) = self.root_move.as_deref_mut() {
             if *elapsed >= root_move.duration {
@@ -271,7 +271,7 @@ impl Strand {
         }
     }
 
-    /// Does something to the strand as one on its own, its root on its way.
+    /// Applies `work` to the strand as a single one, with its moving root.
     pub fn with_one<R>(&mut self, work: impl FnOnce(&mut One) -> R) -> R {
         let Self { model, state, root_move, .. } = self;
         let start = state.root;
@@ -279,13 +279,13 @@ impl Strand {
         work(&mut One { model, state, root_at: &root_at })
     }
 
-    /// Writes down how a substep of `h` seconds went, in which it was to meet `bodies`.
+    /// Records the result of a substep of `h` seconds with these `bodies`.
     pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, bodies: &[BodyAt], scratch: &mut Scratch) {
         self.fared = (&outcome).into();
         if outcome.quarantined {
-            self.lose(h, bodies);
+            self.roll_back(h, bodies);
         } else if self.astray.is_some() {
-            self.come_through();
+            self.clear_divergence();
         }
         self.advance_root(h);
         if outcome.quarantined || setting.options.integrator == Integrator::Reference {
@@ -296,7 +296,7 @@ impl Strand {
         }
     }
 
-    /// Computes the energies from the state; `kinematics` is scratch.
+    /// Computes the energies from the state; `kinematics` is scratch memory.
     pub fn update_energies(&mut self, gravity: Vector3<f64>, rules: &Rules, kinematics: &mut Kinematics<f64>) {
         let rule = rules.rule(self.state.rule);
         kinematics.update(&rotation_matrix(&self.state.root), &self.model.lengths, &self.state.curvatures, rule);
@@ -309,7 +309,8 @@ impl Strand {
         self.energies = energies;
     }
 
-    /// Bytes that a strand of a definition will take, at most: its lists, with what an allocator adds, and the step before once it has one.
+    /// An upper bound on the bytes of a strand of a definition: its lists, with the allocator's overhead, and the history once it
+    /// has one.
     pub fn bytes_of(def: &StrandDef, rules: &Rules) -> usize {
         let elements = def.element_lengths.len();
         let shape = def.initial.as_ref().unwrap_or(&def.natural);
@@ -322,12 +323,12 @@ impl Strand {
         rows.saturating_add(elements.saturating_add(points).saturating_mul(row)).saturating_add(pieces)
     }
 
-    /// Gives back the room that lists have beyond their length.
+    /// Frees the lists' spare capacity.
     pub fn shrink(&mut self) {
         self.state.shrink();
     }
 
-    /// Bytes on the heap, those of the section by share.
+    /// Bytes on the heap, with its fraction of the section's.
     pub fn heap_bytes(&self) -> f64 {
         let lists = |lengths: &[f64], natural: &[[f64; 3]]| size_of_val(lengths) + size_of_val(natural);
         let authored =
@@ -341,6 +342,6 @@ impl Strand {
             + root_move
             + lists(&self.model.lengths, &self.model.natural)
             + self.state.heap_bytes();
-        own as f64 + sections::share(self.model.section())
+        own as f64 + sections::fraction(self.model.section())
     }
 }

@@ -1,11 +1,13 @@
-//! How strands answer to the bodies that touch them: the touches that there are now and those near by, how far each touched point goes in the coming
-//! seconds if all forces stay as they are, and how a force at one moves the others. It is the coming step's first contact problem, condensed onto the
-//! bodies named: whoever knows where these go can solve it without the strands.
+//! The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
+//!
+//! It has the contacts that exist and the places near by, the displacement of each point of contact in the next seconds if all
+//! forces stay constant, and the displacement of the others by a force at one of them. It is the next step's first contact
+//! problem, condensed onto the named bodies: whoever knows their motion can solve it without the strands.
 //!
 //! Files:
 //!
-//! - `near_strand.rs`: A strand near a tool: where things hold it, and how it answers there.
-//! - `search.rs`: Where a strand comes near a tool's bodies: a quick search, for places that may soon be touches.
+//! - `near_strand.rs`: A strand near a tool: the places where forces act on it, and its response there.
+//! - `search.rs`: A quick search for places where a strand is near a tool's bodies and may soon be in contact.
 
 mod near_strand;
 mod search;
@@ -14,7 +16,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use near_strand::{Answer, NearStrand};
+use near_strand::{NearStrand, Response};
 
 use super::Solver;
 use super::bodies::{Contact, ContactPartner};
@@ -26,38 +28,40 @@ use crate::contact::shape::Bounds;
 use crate::error::{Result, check_not_negative, check_positive};
 use crate::step::{Setting, Surroundings};
 
-/// What nothing presses and is deeper than so many tolerances is held apart by nothing: the strand may overlap the body there.
+/// Nothing separates an overlap without force that is deeper than this many tolerances: the strand may overlap the body there.
 const OVERLAPS: f64 = 4.0;
-/// Strands of a task.
+/// Strands per task.
 const TASK: usize = 8;
 
-/// A touch of a strand with one of the bodies, or a place where there soon may be one.
+/// A contact of a strand with one of the bodies, or a place where there may soon be one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodyTouch {
-    /// Which of the bodies that were named.
+    /// Index among the named bodies.
     pub body: u32,
-    /// The body's point, world, m.
+    /// The body's point of contact, world, m.
     pub point: Vector3<f64>,
     /// Unit normal, world, from the body to the strand.
     pub normal: Vector3<f64>,
     /// Distance of the surfaces, m.
     pub gap: f64,
-    /// From the strand's centreline to where its surface and the body's meet, m, the body's thickness with it.
+    /// From the strand's centreline to where its surface and the body's meet, m, including the body's thickness.
     pub margin: f64,
     /// The strand's tangent there, unit, from root to tip.
     pub tangent: Vector3<f64>,
-    /// How much of the strand that may touch the body there is before and beyond the place, m, up to halfway to its next touch with it.
+    /// The length of the strand before and after the place that may be in contact with the body, m, up to halfway to its next
+    /// contact with it.
     pub reach: [f64; 2],
     /// Coulomb friction.
     pub friction: Coefficient,
-    /// Force on the strand at the end of the last substep, N, world; zero where nothing presses.
+    /// Force on the strand at the end of the last substep, N, world; zero without pressure.
     pub force: Vector3<f64>,
-    /// The force that takes the strand its own length in [`TouchCompliance::seconds`] and bends its elements by a radian, N: more it does not press with.
+    /// An upper bound on the force, N: it moves the strand by its own length in [`TouchCompliance::seconds`] and bends its
+    /// elements by a radian.
     pub most_force: f64,
-    /// The stiffness of a cantilever of the strand's length, 3 EI/L³, N/m, about the axis that it bends about more easily, and its resistance by internal
-    /// friction, 3 γ/L³, N·s/m.
+    /// The stiffness of a cantilever of the strand's length about its softer bending axis, 3 EI/L³, N/m, and its resistance by
+    /// internal friction, 3 γ/L³, N·s/m.
     pub resistance: [f64; 2],
-    /// How far the strand's point goes in [`TouchCompliance::seconds`] if all forces on the strand stay as they are, m, world.
+    /// Displacement of the strand's point in [`TouchCompliance::seconds`] if all forces on the strand stay constant, m, world.
     pub moved: Vector3<f64>,
 }
 
@@ -68,7 +72,7 @@ impl BodyTouch {
     }
 }
 
-/// Which touches and which numbers of the response are those of each of the strands that have so many touches.
+/// The ranges of contacts and of response numbers for strands with these numbers of contacts.
 pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [Range<usize>; 2]> {
     counts.scan([0, 0], |[touch, number], count| {
         let ranges = [*touch..*touch + count, *number..*number + 9 * count * count];
@@ -77,7 +81,7 @@ pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [
     })
 }
 
-/// The touches of some bodies, and the compliance of the strands between them. Its memory is kept from one use to the next.
+/// The contacts of some bodies, and the strands' compliance between them. Its memory is reused.
 ///
 /// ```
 /// use superhelix::reading::TouchCompliance;
@@ -91,39 +95,39 @@ pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [
 /// ```
 #[derive(Debug, Default)]
 pub struct TouchCompliance {
-    /// The time that it is for, s.
+    /// The time span, s.
     pub seconds: f64,
     /// Strand after strand, from root to tip.
     pub touches: Vec<BodyTouch>,
-    /// How many touches each of the strands has.
+    /// The number of contacts of each strand.
     pub counts: Vec<u32>,
-    /// Strand after strand a symmetric matrix of (3 touches)² numbers, m/N: how far its points are moved within the time by a force at one of them,
-    /// laid out as [`crate::contact::contact_space::ContactSpace::add_strand`] says.
+    /// Per strand a symmetric matrix of (3 contacts)² numbers, m/N: displacements of its points within the time by a force at one
+    /// of them, in the layout of [`crate::contact::contact_space::ContactSpace::add_strand`].
     pub response: Vec<f64>,
-    /// The first `near_count` are in use; the rest is kept for its memory.
+    /// The first `near_count` are in use; the rest is spare memory.
     near: Vec<NearStrand>,
     near_count: usize,
-    /// Memory for strands that have touches.
-    answers: Vec<Box<Answer>>,
-    /// The most places of a strand so far, rounded up: there is room for so many wherever a strand is listed.
+    /// Memory for strands with contacts.
+    responses: Vec<Box<Response>>,
+    /// The largest number of places of a strand so far, rounded up: every listed strand has memory for it.
     most_places: usize,
     contacts: Vec<(u32, f64, Contact)>,
 }
 
-/// What holds strands, beside places near the bodies.
+/// Everything that acts on strands, beside places near the bodies.
 struct Places<'a> {
     /// The bodies.
     bodies: &'a [BodyId],
     /// The last substep's contacts by strand and arclength.
     contacts: &'a [(u32, f64, Contact)],
     constraints: &'a [Constraint],
-    /// What nothing presses and is deeper than this, m, is no touch.
+    /// A place without force and deeper than this, m, is no contact.
     most_deep: f64,
 }
 
 impl TouchCompliance {
-    /// Forgets the touches that `keep` does not want; it gets their numbers in [`TouchCompliance::touches`]. What presses there goes on with the force
-    /// that it has.
+    /// Drops contacts that `keep` rejects; it receives their indices in [`TouchCompliance::touches`]. Dropped contacts under
+    /// pressure keep a constant force.
     pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
         let mut number = 0;
         for near in &mut self.near[..self.near_count] {
@@ -140,7 +144,7 @@ impl TouchCompliance {
         self.list();
     }
 
-    /// Lists the touches of the strands near the bodies.
+    /// Lists the contacts of the strands near the bodies.
     fn list(&mut self) {
         self.touches.clear();
         self.counts.clear();
@@ -155,9 +159,9 @@ impl TouchCompliance {
 }
 
 impl Solver {
-    /// How strands answer to `bodies` in the coming `seconds`: their touches, those places that are nearer than `within` (m) to them among
-    /// these, and the compliance between a strand's touches. Whatever else holds a strand, other bodies, strands and constraints, goes on with the
-    /// force that it has; strands are coupled through the bodies alone. Nothing is changed.
+    /// The response of strands to `bodies` in the next `seconds`: their contacts, including places closer than `within` (m), and
+    /// the compliance between a strand's contacts. All other forces on a strand, from other bodies, strands and constraints, stay
+    /// constant; strands are coupled through the bodies alone. Changes nothing.
     ///
     /// # Errors
     /// [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`; [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a
@@ -168,8 +172,8 @@ impl Solver {
         self.condense_touches(seconds, out)
     }
 
-    /// The first half of [`Solver::touch_compliance`]: the touches alone. Those that are not wanted may then be forgotten
-    /// ([`TouchCompliance::retain`]), before [`Solver::condense_touches`] works out how the others answer.
+    /// The first half of [`Solver::touch_compliance`]: the contacts alone. Unwanted ones may then be dropped
+    /// ([`TouchCompliance::retain`]), before [`Solver::condense_touches`] computes the response of the others.
     ///
     /// # Errors
     /// [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`; [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a
@@ -195,7 +199,7 @@ impl Solver {
         Ok(())
     }
 
-    /// The second half: how the touches that were found answer in the coming `seconds`. No step may come between the two.
+    /// The second half: the response of the detected contacts in the next `seconds`. No step may come between the two.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a time that is not finite and above zero.
@@ -210,7 +214,7 @@ impl Solver {
             out.most_places = most.next_power_of_two();
         }
         for near in near.iter_mut() {
-            near.answer = if near.has_touches() { Some(out.answers.pop().unwrap_or_default()) } else { None };
+            near.response = if near.has_touches() { Some(out.responses.pop().unwrap_or_default()) } else { None };
             near.make_room(out.most_places);
         }
         self.crew.for_each_task(near, TASK, usize::MAX, |strands, _| {
@@ -222,11 +226,11 @@ impl Solver {
             }
         });
         out.list();
-        let TouchCompliance { near, near_count, response, answers, .. } = out;
+        let TouchCompliance { near, near_count, response, responses, .. } = out;
         response.clear();
         for near in &mut near[..*near_count] {
             near.write(response);
-            answers.extend(near.answer.take());
+            responses.extend(near.response.take());
         }
         Ok(())
     }
@@ -254,7 +258,7 @@ impl Solver {
         }
     }
 
-    /// The last substep's contacts, each with its strand's index and arclength; those between strands for both.
+    /// The last substep's contacts with their strands' indices and arclengths; those between strands for both.
     fn contacts_by_strand(&self, out: &mut Vec<(u32, f64, Contact)>) {
         out.clear();
         for contact in self.holding.contacts() {

@@ -22,7 +22,7 @@ use crate::contact::island::Island;
 use crate::contact::joint::{Give, Joint, JointEnd, JointKind, SAME_SIDE};
 use crate::contact::law::Law;
 use crate::contact::nearest_pair::depth;
-use crate::contact::options::ContactOptions;
+use crate::contact::options::{ContactOptions, GRAVITY};
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
@@ -46,6 +46,8 @@ const SAME_PLACE: f64 = 0.5;
 /// touch anything.
 const WILD: f64 = 1.0;
 const CROWD: usize = 20;
+/// A solve leaves no larger force where there should be none than this many times what its residual is in the strand's weight.
+const LEFT_OVER: f64 = 2.0;
 /// A touch is one that was known in the last step if along the strand it is no further from it than this share of the strand's length.
 const SAME: f64 = 0.02;
 
@@ -256,8 +258,13 @@ impl Touching {
         };
         let deep = !scene.options.model.is_soft() && touch.gap < 0.0 && self.was_deep(scene, strands, &first, second, kind);
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
-        // A force that draws is none of a touch.
-        let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
+        // A force that draws is none of a touch; and so small a one as the solve may leave where there is none would stay for ever on a
+        // strand that leaves.
+        let lightest = second.map_or(strand.mass, |end| strand.mass.min(strands[end.held as usize].mass));
+        let is_left_over = !scene.options.model.is_soft()
+            && touch.gap > 0.0
+            && force.norm_squared() <= (LEFT_OVER * scene.options.residual * lightest * GRAVITY).powi(2);
+        let force = if force.dot(&touch.normal) > 0.0 && !is_left_over { force } else { Vector3::zeros() };
         Joint { gap: touch.gap, deep, ..Joint::new(first, second, kind, force) }
     }
 

@@ -1,7 +1,8 @@
-//! Strands that a body is near step as if it were not, side by side with those that nothing is near; where that brings a strand to the body, it is
-//! rolled back and steps as one that may touch.
+//! Trial steps: a strand near a body first steps as a free strand, side by side with others; if that brings it into contact it is
+//! rolled back and steps again with contact.
 //!
-//! A free step that touches nothing is the step with contact: no force acts. The state alone decides who tries it: a snapshot goes on to the same bits.
+//! A free step without contact equals the step with contact: no force acts. Only the state decides who tries: a restored snapshot
+//! continues with the same bits.
 
 use super::report::Energies;
 use super::strand::{Fared, Holds, Strand, Tally};
@@ -13,36 +14,36 @@ use crate::meter::Meter;
 use crate::step::StrandOutcome;
 use crate::step::state::StrandState;
 
-/// A strand that is in a body by no more than this part of what contact tolerates touches nothing: where it grows out of a head, or lies on it as it
-/// was drawn, its distance is zero.
-const SLACK: f64 = 0.1;
+/// A strand inside a body by at most this fraction of the contact tolerance has no contact: where it grows out of a head, or lies
+/// on it as drawn, its distance is zero to rounding. More would let a strand that presses gently in, step by step, until a contact throws it out.
+const SLACK: f64 = 1e-3;
 
 /// The strands of one task that try a free step.
 #[derive(Debug, Default)]
 pub(super) struct TrialSteps {
     saved: Vec<Saved>,
     count: usize,
-    /// How the trials went, by the strands' places in the task.
+    /// The results of the trials, by the strands' indices in the task.
     outcomes: Vec<StrandOutcome>,
     path: path_clearance::Scratch,
 }
 
-/// A strand as it was before the substep.
+/// A strand before the substep.
 #[derive(Debug, Default)]
 struct Saved {
-    /// Among the task's strands.
+    /// Index among the task's strands.
     index: usize,
     state: StrandState,
     energies: Energies,
     fared: Fared,
     root_move: Option<(PoseMove, f64)>,
-    /// Where the root was, and where it went.
+    /// The root's poses at the start and the end.
     root: [Frame; 2],
 }
 
 impl TrialSteps {
-    /// Before a substep of `h` seconds: those of a task's strands that only a near body may hold try a free step, but for those that it pressed last,
-    /// and those near one of the `bodies` of which it cannot be told whether they stay clear of it. When the meter has halted the substep none does.
+    /// Before a substep of `h` seconds: strands that only a near body may constrain try a free step, except those that were under
+    /// pressure last, and those that may come near one of the `bodies`. After the meter has halted the substep none does.
     pub fn begin(&mut self, strands: &mut [Strand], bodies: &[BodyAt], h: f64, meter: &Meter) {
         self.count = 0;
         self.outcomes.resize_with(strands.len(), StrandOutcome::default);
@@ -50,7 +51,7 @@ impl TrialSteps {
             return;
         }
         for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| strand.holds == Holds::Perhaps) {
-            // (The step after one that pressed is taken by another formula than the free one.)
+            // (The step after one under pressure uses another formula than the free one.)
             if strand.touched || strand.astray.is_some() {
                 continue;
             }
@@ -70,13 +71,13 @@ impl TrialSteps {
         }
     }
 
-    /// How the trials go.
+    /// The results of the trials.
     pub fn outcomes(&mut self) -> &mut [StrandOutcome] {
         &mut self.outcomes
     }
 
-    /// After it: counts the steps of those that stayed clear of all `bodies`, and rolls the others back, which a body may hold again.
-    /// `tolerance`: how deep contact may be, m.
+    /// After it: counts the steps of strands that stayed clear of all `bodies`, and rolls the others back to step with contact.
+    /// `tolerance`: the permitted depth of contact, m.
     pub fn end(&mut self, strands: &mut [Strand], bodies: &[BodyAt], tolerance: f64, tally: &mut Tally) {
         let Self { saved, count, outcomes, path } = self;
         for saved in &mut saved[..*count] {
@@ -109,7 +110,7 @@ impl Saved {
     }
 }
 
-/// The bodies that a strand meets and is near, while its root goes from place to place.
+/// The bodies that a strand collides with and is near, while its root moves from pose to pose.
 fn near<'a>(strand: &Strand, root: &[Frame; 2], bodies: &'a [BodyAt<'a>]) -> impl Iterator<Item = &'a BodyAt<'a>> {
     let met = strand.contact.as_deref().map(|contact| (strand.reach(contact, root), contact.groups, contact.mask));
     let is_near =

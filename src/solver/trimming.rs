@@ -1,4 +1,4 @@
-//! Living strands cut and grown.
+//! Cuts simulated strands and lets them grow.
 
 use super::Solver;
 use super::id::StrandId;
@@ -13,7 +13,7 @@ use crate::rod::strand::StrandModel;
 use crate::step::regrid;
 use crate::step::state::{Earlier, Past, StrandState, rotation_matrix};
 
-/// A strand of another length.
+/// A strand with a new length.
 struct Trimmed {
     index: usize,
     model: StrandModel,
@@ -22,16 +22,17 @@ struct Trimmed {
 }
 
 impl Solver {
-    /// Cuts strands at arclengths from the root (m, one each), at any moment of a run: what is left keeps its shape, its natural shape and its
-    /// velocities exactly, in time past too, and loses the mass of what is gone. The element that is cut is shorter, of the same helix. A
-    /// strand that is cut at its length stays as it is.
+    /// Cuts strands at arclengths from the root (m, one each), at any time in a run: the rest keeps its shape, its natural shape
+    /// and its velocities exactly, history included, and loses the mass of the removed part. The cut element becomes shorter,
+    /// with the same helix. A strand that is cut at its length stays as it is.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `arclengths[i]` where it is not above zero and at most the strand's
-    /// length, or where a constraint holds a point beyond it; an identifier given twice; counts that differ. Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `arclengths[i]` if it is not above zero and at
+    /// most the strand's length, or if a constraint holds a point beyond it; for an identifier given twice; for counts that
+    /// differ. Nothing has then changed.
     pub fn cut(&mut self, ids: &[StrandId], arclengths: &[f64]) -> Result<()> {
         if arclengths.len() != ids.len() {
-            return Err(Error::invalid("arclengths (count)", arclengths.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("arclengths (count)", arclengths.len(), format!("{}, one per strand", ids.len())));
         }
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;
@@ -51,13 +52,14 @@ impl Solver {
         Ok(())
     }
 
-    /// Lets strands grow at their tips, all by the same, at any moment of a run: what was there keeps shape and velocities, and what is new moves
-    /// with the tip as if it were rigid. With no element added the last one becomes longer, and its velocities are those of the nearest
-    /// polynomial. The natural shape grows alike. Where [`Solver::set_element_count`] remembers a natural shape it grows by elements as well.
+    /// Lets strands grow at their tips, all by the same length, at any time in a run: the existing part keeps shape and
+    /// velocities, and the new part moves rigidly with the tip. Without a new element the last one becomes longer, and its
+    /// velocities become the nearest polynomial. The natural shape grows in the same way. A natural shape kept by
+    /// [`Solver::set_element_count`] grows by elements as well.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `growth`, or an identifier given twice. Then nothing has
-    /// changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `growth`, or an identifier given twice.
+    /// Nothing has then changed.
     pub fn grow(&mut self, ids: &[StrandId], growth: &Growth) -> Result<()> {
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;
@@ -74,7 +76,7 @@ impl Solver {
         if made.is_empty() {
             return;
         }
-        // What it remembers of touches lies at arclengths that may be gone.
+        // The warm start's contacts are at arclengths that may be gone.
         self.holding.forget();
         let mut kinematics = Kinematics::default();
         for Trimmed { index, model, state, authored } in made {
@@ -88,7 +90,7 @@ impl Solver {
         }
     }
 
-    /// That no constraint holds a point of a strand beyond a length.
+    /// Checks that no constraint holds a point of a strand beyond a length.
     pub(super) fn check_held(&self, argument: &str, index: usize, length: f64) -> Result<()> {
         let id = self.strands[index].id;
         for constraint in &self.constraints {
@@ -109,7 +111,7 @@ impl Solver {
     }
 }
 
-/// Whether nothing of a strand moves or has moved: its state then is that of a strand just made.
+/// Whether nothing of a strand moves or has moved: its state is then that of a new strand.
 fn is_still(state: &StrandState) -> bool {
     let zero = |vector: nalgebra::Vector3<f64>| vector == nalgebra::Vector3::zeros();
     state.past.step == 0.0
@@ -118,7 +120,7 @@ fn is_still(state: &StrandState) -> bool {
         && zero(state.root_angular_velocity)
 }
 
-/// Natural rows on what is left of elements.
+/// Natural rows on the remaining elements.
 fn truncated(authored: Option<&Authored>, arclength: f64) -> Option<Box<Authored>> {
     authored.map(|authored| {
         let lengths = cut_lengths(&authored.lengths, arclength);
@@ -130,17 +132,17 @@ fn truncated(authored: Option<&Authored>, arclength: f64) -> Option<Box<Authored
 fn cut(strand: &Strand, index: usize, lengths: Vec<f64>, arclength: f64, rules: &Rules) -> Trimmed {
     let Strand { model, state, .. } = strand;
     let last = lengths.len() - 1;
-    let share = lengths[last] / model.lengths[last];
+    let fraction = lengths[last] / model.lengths[last];
     let rows = |rows: &[[f64; 3]]| rows[..=last].to_vec();
     let rule = rules.rule(state.rule);
     // A polynomial on the element is one on its part.
     let mut coefficients = Vec::new();
     let mut velocities = |list: &[Vec3<f64>]| {
         let mut out = list[..(last + 1) * rule.len()].to_vec();
-        if share < 1.0 {
+        if fraction < 1.0 {
             let own = &list[last * rule.len()..(last + 1) * rule.len()];
             for (node, place) in rule.nodes.iter().enumerate() {
-                rule.interpolation(place * share, &mut coefficients);
+                rule.interpolation(place * fraction, &mut coefficients);
                 let terms = coefficients.iter().zip(own);
                 out[last * rule.len() + node] = terms.fold(Vec3::zero(), |sum, (c, v)| sum + v.scale(*c));
             }
@@ -168,7 +170,7 @@ fn cut(strand: &Strand, index: usize, lengths: Vec<f64>, arclength: f64, rules: 
 
 fn grown(strand: &Strand, index: usize, growth: &Growth, rules: &Rules) -> Trimmed {
     let Strand { model, state, authored, .. } = strand;
-    // As elements of their own first.
+    // First as elements of their own.
     let whole = Growth { elements: growth.elements.max(1), ..*growth };
     let more = whole.elements;
     let longer = StrandModel::of_section(whole.lengths(&model.lengths), whole.rows(&model.natural), model.section().clone());
@@ -194,7 +196,7 @@ fn grown(strand: &Strand, index: usize, growth: &Growth, rules: &Rules) -> Trimm
     }
     let joined = StrandModel::of_section(growth.lengths(&model.lengths), model.natural.to_vec(), model.section().clone());
     let (mut state, _) = regrid::take(&longer, &new, &joined, rules);
-    // The same helix goes on: what the fit made of it is not asked for.
+    // The same helix continues: the fit's result is not needed.
     state.curvatures = strand.state.curvatures.clone();
     if is_still(&state) {
         state.velocities_from_rates(&joined, rules);
@@ -202,7 +204,7 @@ fn grown(strand: &Strand, index: usize, growth: &Growth, rules: &Rules) -> Trimm
     Trimmed { index, model: joined, state, authored }
 }
 
-/// Velocities of the elements from `first` on: those of the one before, and rigid with its end.
+/// Velocities of the elements from `first` on: rigid with the end of the one before.
 fn follow_tip(model: &StrandModel, state: &mut StrandState, first: usize, rules: &Rules) {
     let rule = rules.rule(state.rule);
     let mut kinematics = Kinematics::default();

@@ -1,4 +1,4 @@
-//! Who runs the strands of a step.
+//! The workers of a step and their scratch memory.
 
 use super::trial_steps::TrialSteps;
 use crate::contact::island_problem::ProblemScratch;
@@ -9,9 +9,9 @@ use crate::step;
 pub(super) struct Scratch {
     /// For strands, one pack at a time.
     pub step: step::scratch::Scratch,
-    /// For islands of held strands, one at a time.
+    /// For islands of constrained strands, one at a time.
     pub problem: ProblemScratch,
-    /// For strands that are near bodies, one task at a time.
+    /// For strands near bodies, one task at a time.
     pub trial_steps: TrialSteps,
 }
 

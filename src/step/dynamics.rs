@@ -1,7 +1,9 @@
-//! The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives: continuous time, exact velocity
-//! products, dense matrices. For the reference integrator, where being right counts and speed does not.
+//! The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //!
-//! Rows and columns are in angles (κℓ), so that elements of very uneven lengths weigh alike.
+//! Continuous time, exact velocity products, dense matrices: for the reference integrator, where accuracy counts and speed does
+//! not.
+//!
+//! Rows and columns are in angles (κℓ), so that elements of very uneven lengths have equal weight.
 
 use faer::Mat;
 
@@ -15,10 +17,10 @@ use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
 
-/// Rows (twist, κ1, κ2), an element each.
+/// Rows (twist, κ1, κ2), one per element.
 pub type Rows = Vec<[f64; 3]>;
 
-/// Angle by which curvatures are moved to differentiate, rad.
+/// Perturbation of the curvatures for differences, as an angle, rad.
 const ANGLE_STEP: f64 = 1e-6;
 
 /// A strand whose root moves along a smooth path.
@@ -30,7 +32,7 @@ pub struct Dynamics<'a> {
     pub rule: &'a Rule,
     /// Gravity and wind.
     pub surroundings: &'a Surroundings,
-    /// The root's way.
+    /// The root's path.
     pub path: &'a RootPath,
 }
 
@@ -65,7 +67,7 @@ impl Dynamics<'_> {
         (kinematics, motion)
     }
 
-    /// Mass share of a point, and its share of arclength.
+    /// A point's mass, and its part of the arclength.
     fn weight(&self, point: usize) -> f64 {
         self.rule.weights[point % self.rule.len()] * self.model.lengths[point / self.rule.len()]
     }
@@ -132,7 +134,7 @@ impl Dynamics<'_> {
         self.gather(kinematics, &momenta)
     }
 
-    /// Jᵀ of one vector a point, over the free curvatures as angles.
+    /// Jᵀ of one vector per point, over the free curvatures as angles.
     pub fn gather(&self, kinematics: &Kinematics<f64>, vectors: &[Vec3<f64>]) -> Vec<f64> {
         let generalised = force::generalised(kinematics, |p| vectors[p]);
         (0..self.size())
@@ -143,12 +145,12 @@ impl Dynamics<'_> {
             .collect()
     }
 
-    /// Momentum of every point for a velocity each, kg·m/s.
+    /// Momentum of every point for the given velocities, kg·m/s.
     pub fn point_momenta(&self, velocities: impl Iterator<Item = Vec3<f64>>) -> Vec<Vec3<f64>> {
         velocities.enumerate().map(|(p, v)| v.scale(self.model.linear_density * self.weight(p))).collect()
     }
 
-    /// All derivatives by central differences: the residual is quadratic in the rates, so that those by the rates are exact.
+    /// All derivatives by central differences. The residual is quadratic in the rates, so its derivatives by the rates are exact.
     pub fn derivatives(&self, t: f64, q: &Rows, rates: &Rows, accelerations: &Rows) -> Derivatives {
         let size = self.size();
         let lengths = &self.model.lengths;

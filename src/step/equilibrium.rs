@@ -1,10 +1,10 @@
-//! Static equilibrium: the shape in which a strand rests under gravity, a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
+//! Static equilibrium of a strand under gravity: a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
 //!
-//! Proximal steps: an implicit Euler step of k seconds that forgets its velocity is Newton on the static potential plus
-//! Σ w ρS/(2k²) |r − r_t|², so that every step goes downhill and the machinery of a step does the work. k begins at √(L/|g|), near the
-//! way that the strand would fall, and grows until the inertia is nothing. Where the strand then is at rest, the exact static
-//! Hessian H is asked for its smallest eigenvalue against K (H x = λ K x): λ = 1 for a strand that gravity does nothing to, λ ≤ 0 for
-//! one that is not stable. A saddle (an upright strand, a planar curl that wants to leave its plane) is left along its eigenvector.
+//! The search takes proximal steps: an implicit Euler step of k seconds from rest is Newton's method on the static potential plus
+//! Σ w ρS/(2k²) |r − r_t|². So every step goes downhill, and the machinery of a time step does the work. k starts at √(L/|g|),
+//! near the time in which the strand would fall, and grows until inertia is negligible. Once the strand is at rest, the exact
+//! static Hessian H gives its smallest eigenvalue against K (H x = λ K x): λ = 1 for a strand without gravity, λ ≤ 0 for an
+//! unstable one. The search leaves a saddle (an upright strand, a planar curl that would leave its plane) along its eigenvector.
 
 use faer::{Mat, Side};
 use nalgebra::Vector3;
@@ -25,7 +25,7 @@ use crate::rod::definition::{StrandDef, check_frozen, check_rows};
 use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 
-/// How far to go.
+/// Options of the search.
 ///
 /// ```
 /// use superhelix::editing::EquilibriumOptions;
@@ -39,13 +39,13 @@ use crate::rod::strand::StrandModel;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EquilibriumOptions {
-    /// At rest when no moment is out of balance by more than this, relative to ρS|g|L² plus 1e-4 (1/L + the largest natural curvature)
-    /// times the largest stiffness; above zero.
+    /// At rest when no unbalanced moment exceeds this, relative to ρS|g|L² plus 1e-4 (1/L + the largest natural curvature) times
+    /// the largest stiffness; above zero.
     pub tolerance: f64,
-    /// Proximal steps at most, 1 to 100000.
+    /// Largest number of proximal steps, 1 to 100000.
     pub max_steps: u32,
-    /// Find the smallest eigenvalue, and leave states that are not stable. Costs the cube of the number of elements. Without it the
-    /// state may be a saddle where symmetry holds the strand on it.
+    /// Find the smallest eigenvalue, and leave unstable states. Costs the cube of the number of elements. Without it the state
+    /// may be a saddle on which symmetry holds the strand.
     pub check_stability: bool,
 }
 
@@ -56,7 +56,7 @@ impl Default for EquilibriumOptions {
 }
 
 impl EquilibriumOptions {
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a value out of range.
@@ -74,47 +74,47 @@ impl EquilibriumOptions {
 /// How the search for a strand's equilibrium ended.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Equilibrium {
-    /// The residual is within the tolerance and, if asked for, the state is not unstable.
+    /// The residual is within the tolerance and, if stability was checked, the state is not unstable.
     pub converged: bool,
-    /// Largest moment out of balance, relative as [`EquilibriumOptions::tolerance`] says.
+    /// Largest unbalanced moment, relative as in [`EquilibriumOptions::tolerance`].
     pub residual: f64,
     /// Smallest eigenvalue of the static Hessian against the elastic stiffness: at most 1 (a little more for strands that gravity
-    /// holds everywhere), 0 at the border of stability, where rounding leaves it within 1e-9. `None` if not asked for.
+    /// stiffens everywhere), 0 at the limit of stability, to within 1e-9 of rounding. `None` if not requested.
     pub smallest_eigenvalue: Option<f64>,
-    /// Newton iterations in all.
+    /// Total Newton iterations.
     pub iterations: u32,
-    /// Saddles that were left on the way.
+    /// Saddles left during the search.
     pub saddles: u32,
 }
 
 impl Equilibrium {
-    /// Whether the smallest eigenvalue was found, and is negative beyond rounding.
+    /// Whether the smallest eigenvalue was computed and is negative beyond rounding.
     pub fn is_unstable(&self) -> bool {
         self.smallest_eigenvalue.is_some_and(|eigenvalue| eigenvalue < -NEUTRAL)
     }
 }
 
-/// An eigenvalue below minus this is negative and not rounding: a mode that a symmetry leaves neutral has 0.
+/// An eigenvalue below minus this is truly negative: a mode that symmetry leaves neutral has 0 up to rounding.
 const NEUTRAL: f64 = 1e-9;
-/// How far a saddle is left along its eigenvector: the elements' rotations sum to this, rad.
+/// How far to leave a saddle along its eigenvector: the sum of the elements' rotations, rad.
 const KICK: f64 = 0.2;
-/// Saddles left before the search is given up.
+/// Largest number of saddles to leave.
 const MAX_SADDLES: u32 = 32;
-/// A step that does not converge with a residual below this is near a saddle, if it is not stable there.
+/// A step that does not converge but has a residual below this is near a saddle, if the state is unstable.
 const NEAR_SADDLE: f64 = 1e-2;
-/// What k grows by after a step whose Newton converged, and shrinks by after another.
+/// How much k grows after a converged step, and shrinks after another.
 const GROWTH: f64 = 3.0;
-/// The largest k, in units of the first: beyond it the pull ρS g k² drowns the digits of the positions.
+/// The largest k, in units of the first: beyond it the pull ρS g k² swamps the digits of the positions.
 const LARGEST_STEP: f64 = 1e3;
-/// Newton's tolerance within a proximal step, rad: at 1e-8 a strand on a saddle was left a little off balance for good, every step being
-/// within it from its start.
+/// Newton's tolerance within a proximal step, rad. It must be tight: a step within its tolerance from the start leaves a strand
+/// on a saddle slightly unbalanced for good.
 const NEWTON_TOLERANCE: f64 = 1e-10;
 
-/// The shape in which a strand of this definition rests under gravity (m/s²), a row of curvatures an element, searched for from its
-/// initial shape with its root held where the definition has it.
+/// The shape in which a strand of this definition rests under gravity (m/s²), one row of curvatures per element. The search
+/// starts from the initial shape, with the root fixed at the definition's pose.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for a definition, gravity or options that cannot be used.
+/// [`Error::InvalidArgument`] for an invalid definition, gravity or options.
 pub fn of_strand(
     strand: &StrandDef,
     gravity: Vector3<f64>,
@@ -126,12 +126,12 @@ pub fn of_strand(
     Ok(search(&model, start, &strand.root, gravity, options, &Rules::default(), &mut Bench::default()))
 }
 
-/// The smallest eigenvalue λ of H x = λ K x for a strand of this definition held in the shape `curvatures` (a row an element; frozen
-/// freedoms at their natural values), H the Hessian of its elastic energy and weight over its free curvatures. In an equilibrium:
-/// stable if above zero. Costs the cube of the number of elements.
+/// The smallest eigenvalue λ of H x = λ K x for a strand of this definition in the shape `curvatures` (one row per element;
+/// frozen freedoms at their natural values), where H is the Hessian of its elastic energy and weight over its free curvatures. An
+/// equilibrium is stable if it is above zero. Costs the cube of the number of elements.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for a definition, rows or gravity that cannot be used.
+/// [`Error::InvalidArgument`] for an invalid definition, rows or gravity.
 pub fn smallest_eigenvalue(strand: &StrandDef, curvatures: &[[f64; 3]], gravity: Vector3<f64>) -> Result<f64> {
     let model = checked_model(strand, gravity)?;
     check_rows("curvatures", curvatures, model.element_count())?;
@@ -151,8 +151,8 @@ fn checked_model(strand: &StrandDef, gravity: Vector3<f64>) -> Result<StrandMode
     Ok(StrandModel::new(strand.element_lengths.clone(), strand.natural.clone(), strand.material, strand.freedoms))
 }
 
-/// The equilibrium of a strand whose root is held, from the shape `curvatures`. If numbers turn non-finite the result is the last
-/// shape that was finite, and the residual says so.
+/// The equilibrium of a strand with a fixed root, from the shape `curvatures`. If numbers turn non-finite, the result is the last
+/// finite shape with its residual.
 pub fn search(
     model: &StrandModel,
     mut curvatures: Vec<[f64; 3]>,
@@ -215,7 +215,7 @@ pub fn search(
             && let (eigenvalue, mode) = softest(model, &iterate.kinematics, &weight)
             && eigenvalue < -NEUTRAL
         {
-            // Where symmetry holds the strand near a saddle, Newton is damped for good and creeps towards it: it is left at once.
+            // Where symmetry holds the strand near a saddle, damped iterations only creep towards it: leave it at once.
             leave_saddle(model, &mode, &mut curvatures);
             found.saddles += 1;
             k = first;
@@ -233,7 +233,7 @@ pub fn search(
     (curvatures, found)
 }
 
-/// The time in which gravity or, without it, elasticity moves the strand by its length.
+/// The time in which gravity or, without gravity, elasticity moves the strand by its length.
 fn natural_time(model: &StrandModel, gravity: Vector3<f64>) -> f64 {
     let length = model.length();
     let fall = (length / gravity.norm()).sqrt();
@@ -248,7 +248,7 @@ pub(crate) fn weights(model: &StrandModel, rule_weights: &[f64], gravity: Vector
     model.lengths.iter().flat_map(|length| rule_weights.iter().map(move |w| weight.scale(w * length))).collect()
 }
 
-/// The springs of a proximal step of k seconds from where the kinematics are.
+/// The springs of a proximal step of k seconds from the current kinematics.
 fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: f64, iterate: &mut Iterate<f64>) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, .. } = iterate;
     let points = kinematics.points.len();
@@ -271,7 +271,7 @@ fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: 
     }
 }
 
-/// The largest moment out of balance on a free curvature, relative as [`EquilibriumOptions::tolerance`] says.
+/// The largest unbalanced moment on a free curvature, relative as in [`EquilibriumOptions::tolerance`].
 pub(crate) fn imbalance(
     model: &StrandModel,
     kinematics: &Kinematics<f64>,
@@ -283,7 +283,7 @@ pub(crate) fn imbalance(
     let length = model.length();
     let stiffest = model.stiffness.iter().fold(0.0_f64, |a, b| a.max(*b));
     let curved = model.natural.iter().map(|row| Vec3(*row).norm_squared()).fold(0.0, f64::max).sqrt();
-    // The elastic share is for strands that weigh next to nothing: their moments balance to the rounding of EI κ.
+    // The elastic term is for nearly weightless strands: their moments balance to the rounding of EI κ.
     let scale = model.linear_density * gravity.norm() * length * length + 1e-4 * stiffest * (1.0 / length + curved);
     let mut largest = 0.0_f64;
     for element in 0..model.element_count() {
@@ -298,8 +298,8 @@ pub(crate) fn imbalance(
     largest
 }
 
-/// The smallest eigenvalue of the exact static Hessian against the elastic stiffness, and its eigenvector as curvatures, a row an
-/// element. Both NaN where the eigenvalues could not be found.
+/// The smallest eigenvalue of the exact static Hessian against the elastic stiffness, and its eigenvector as curvatures, one row
+/// per element. Both NaN where the eigenvalues could not be found.
 pub(crate) fn softest(model: &StrandModel, kinematics: &Kinematics<f64>, weight: &[Vec3<f64>]) -> (f64, Vec<[f64; 3]>) {
     let count = model.element_count();
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
@@ -324,7 +324,7 @@ pub(crate) fn softest(model: &StrandModel, kinematics: &Kinematics<f64>, weight:
     (values[softest], mode)
 }
 
-/// Moves off a saddle along a mode; of the two ways, which are alike, the one in which the largest change is positive.
+/// Moves off a saddle along a mode. Both directions are equivalent; it takes the one whose largest change is positive.
 fn leave_saddle(model: &StrandModel, mode: &[[f64; 3]], curvatures: &mut [[f64; 3]]) {
     let (mut turned, mut largest) = (0.0, 0.0_f64);
     for (row, length) in mode.iter().zip(&model.lengths) {
@@ -335,10 +335,10 @@ fn leave_saddle(model: &StrandModel, mode: &[[f64; 3]], curvatures: &mut [[f64; 
             }
         }
     }
-    let share = KICK / turned * largest.signum();
+    let fraction = KICK / turned * largest.signum();
     for (row, change) in curvatures.iter_mut().zip(mode) {
         for axis in 0..3 {
-            row[axis] += share * change[axis];
+            row[axis] += fraction * change[axis];
         }
     }
 }

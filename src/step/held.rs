@@ -12,6 +12,7 @@ use nalgebra::Vector3;
 use super::StrandOutcome;
 use super::damping::Damping;
 use super::iterate::Iterate;
+use super::line_search::Merit;
 use crate::chain::delassus::Delassus;
 use crate::chain::load::{Load, Station};
 use crate::math::lane::Lane;
@@ -228,9 +229,10 @@ impl Held {
     }
 
     /// The Lagrangian of the present forces and springs, and its rounding, where the potential and elements are given.
-    pub(super) fn lagrangian(&self, potential: (f64, f64), elements: &[ElementState<f64>]) -> (f64, f64) {
+    pub(super) fn lagrangian(&self, potential: (f64, f64), elements: &[ElementState<f64>]) -> Merit {
         let springs = if self.spring > 0.0 { &self.bonds[..] } else { &[] };
-        lagrangian(self, potential, elements, springs)
+        let (value, noise) = lagrangian(self, potential, elements, springs);
+        Merit { value, noise }
     }
 
     /// By how much the Lagrangian with the present forces is higher at the present iterate than where the iteration began, beyond what rounding may

@@ -6,6 +6,7 @@
 use super::held::{Held, Lanes, running};
 use super::held_loads::PackLoads;
 use super::iterate::{Problem, choose_start, forces, foresee, place_trial, wrench};
+use super::line_search::{self, LineSearch, Merit};
 use super::members::{Members, lane_of};
 use super::options::Integrator;
 use super::scratch::Bench;
@@ -268,9 +269,9 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
         let limit = Elimination::<T>::ROTATION_LIMIT;
         let rule = setting.rules.rule(pack.rule);
         let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
-        let (mut part, mut from, mut rotation) = ([0.0; MAX_LANES], [(0.0, 0.0); MAX_LANES], [0.0; MAX_LANES]);
-        let (mut to, mut potential) = (from, from);
-        let mut pending = 0;
+        let (mut part, mut from, mut rotation) = ([0.0; MAX_LANES], [Merit::default(); MAX_LANES], [0.0; MAX_LANES]);
+        let mut potential = [(0.0, 0.0); MAX_LANES];
+        let mut moving = 0;
         for (lane, held) in running(strands) {
             held.outcome.iterations += 1;
             rotation[lane] = found.rotation_squared.lane(lane).sqrt();
@@ -279,33 +280,18 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
                 continue;
             }
             from[lane] = held.lagrangian(held.potential, &held.now);
-            part[lane] = if rotation[lane] > limit { limit / rotation[lane] } else { 1.0 };
-            pending |= 1 << lane;
+            part[lane] = line_search::first_fraction(rotation[lane], limit);
+            moving |= 1 << lane;
         }
-        let mut moving = pending;
-        for _ in 0..newton::MAX_HALVINGS {
-            if pending == 0 {
-                break;
-            }
-            let (value, noise) = newton::place_on_way(&problem, iterate, &part, moving);
-            let asked = pending;
-            for (lane, held) in running(strands).filter(|(lane, _)| asked >> lane & 1 == 1) {
-                lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
-                potential[lane] = (value.lane(lane), noise.lane(lane));
-                to[lane] = held.lagrangian(potential[lane], &held.trial);
-                let least = newton::ARMIJO * part[lane] * found.descent.lane(lane);
-                if to[lane].0 <= from[lane].0 - least + from[lane].1 {
-                    pending &= !(1 << lane);
-                } else {
-                    part[lane] *= 0.5;
-                }
-            }
-        }
-        if pending != 0 {
-            // No way down that rounding lets us see: as good as the potential can tell.
-            moving &= !pending;
-            newton::place_on_way(&problem, iterate, &part, moving);
-        }
+        let search = LineSearch { problem: &problem, descent: found.descent, from: &from, trusted: 0 };
+        // No way down that rounding lets us see: as good as the potential can tell.
+        let (pending, to) = search.run(iterate, &mut part, moving, |iterate, lane, at| {
+            let Some(held) = &mut strands[lane] else { return at };
+            lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
+            potential[lane] = (at.value, at.noise);
+            held.lagrangian(potential[lane], &held.trial)
+        });
+        moving &= !pending;
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
         std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
         for (lane, held) in running(strands) {
@@ -317,13 +303,10 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
             }
             held.accept();
             held.potential = potential[lane];
-            let promised = 0.5 * (found.descent.lane(lane) + held.damping.value * found.rotation_sum.lane(lane));
-            let (from, to) = (from[lane], to[lane]);
-            held.damping.learn(if promised >= 8.0 * from.1 { (from.0 - to.0) / promised } else { 1.0 });
+            line_search::teach(&mut held.damping, &found, lane, from[lane], to[lane]);
             let newton = held.damping.value == 0.0 && part[lane] == 1.0;
-            let left = newton::constant(rotation[lane], held.before) * rotation[lane];
             let quadratic = newton && pack.exact >> lane & 1 == 1;
-            held.outcome.residual = if quadratic { rotation[lane] * left.min(1.0) } else { rotation[lane] };
+            held.outcome.residual = line_search::left(rotation[lane], quadratic, held.before);
             held.residual = held.outcome.residual;
             held.before = newton.then_some(rotation[lane]);
         }

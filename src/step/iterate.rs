@@ -1,5 +1,5 @@
-//! Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand
-//! between them, placed, evaluated, and pulled at.
+//! The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand
+//! between them.
 
 use crate::chain::axes::{axes, for_axes};
 use crate::chain::displacement;
@@ -9,10 +9,10 @@ use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 
-/// What does not change during the iteration.
+/// What stays constant during the iteration.
 #[derive(Debug, Clone, Copy)]
 pub struct Problem<'a, T> {
-    /// The root's rotation at the step's end.
+    /// The root's rotation at the end of the step.
     pub root: &'a Mat3<T>,
     /// Element lengths.
     pub lengths: &'a [T],
@@ -20,11 +20,11 @@ pub struct Problem<'a, T> {
     pub axes: &'a [usize],
     /// Quadrature rule.
     pub rule: &'a Rule,
-    /// Whether the springs' forces at the start are the tension to believe: so in a search for a rest, where they are the weight.
+    /// Whether the springs' initial forces are the true tension: so in a search for equilibrium, where they are the weight.
     pub tension_at_start: bool,
 }
 
-/// Where the iteration is.
+/// The state of the iteration.
 #[derive(Debug, Clone)]
 pub struct Iterate<T> {
     /// The accepted iterate.
@@ -33,28 +33,29 @@ pub struct Iterate<T> {
     pub trial: Kinematics<T>,
     /// Stiffnesses and forces.
     pub system: ChainSystem<T>,
-    /// Where each quadrature point was when the step began, relative to the root's origin then. What happens in a step is told as
-    /// differences from here: they keep their digits however short the step is.
+    /// Position of each quadrature point at the start of the step, relative to the root's origin then. The iteration works on
+    /// differences from here, which keep their digits however short the step is.
     pub point_base: Vec<Vec3<T>>,
-    /// What each curvature was when the step began.
+    /// Each curvature at the start of the step.
     pub curvature_base: Vec<[T; 3]>,
-    /// Where each point is drawn to from its base, its position then being relative to the root's new origin, world axes.
+    /// Displacement from its base to which each point is drawn, where its position is relative to the root's new origin, world
+    /// axes.
     pub point_target: Vec<Vec3<T>>,
-    /// Where each curvature is drawn to from its base.
+    /// Change from its base to which each curvature is drawn.
     pub curvature_target: Vec<[T; 3]>,
     /// The accepted curvatures.
     pub curvatures: Vec<[T; 3]>,
     /// The curvatures on trial.
     pub trial_curvatures: Vec<[T; 3]>,
-    /// What rounding left off the accepted curvatures (f32 only).
-    pub rests: Vec<[T; 3]>,
-    /// By how much each point is further on for it, to first order: J·rests (f32 only).
-    pub point_rests: Vec<Vec3<T>>,
-    /// The same of the curvatures on trial.
-    pub trial_rests: Vec<[T; 3]>,
+    /// Rounding errors of the accepted curvatures (f32 only).
+    pub compensation: Vec<[T; 3]>,
+    /// The displacement of each point that they cause, to first order: J·rests (f32 only).
+    pub point_compensation: Vec<Vec3<T>>,
+    /// Rounding errors of the trial curvatures.
+    pub trial_compensation: Vec<[T; 3]>,
     /// Newton's direction.
     pub change: Vec<[T; 3]>,
-    /// Tension that is laid aside.
+    /// Tension that is set aside.
     pub(super) spare_tension: Vec<Vec3<T>>,
 }
 
@@ -70,17 +71,17 @@ impl<T: Lane> Default for Iterate<T> {
             curvature_target: Vec::new(),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
-            rests: Vec::new(),
-            point_rests: Vec::new(),
-            trial_rests: Vec::new(),
+            compensation: Vec::new(),
+            point_compensation: Vec::new(),
+            trial_compensation: Vec::new(),
             change: Vec::new(),
             spare_tension: Vec::new(),
         }
     }
 }
 
-/// Of two starts, keeps the one with the lower potential: `curvatures` or `trial_curvatures`. Gives its potential and the rounding of
-/// it.
+/// Of two starts, `curvatures` and `trial_curvatures`, keeps the one with the lower potential. Returns that potential and its
+/// rounding error.
 #[inline(always)]
 pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let first = place_accepted(problem, it);
@@ -92,10 +93,10 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
     if T::all(better) {
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
-        std::mem::swap(&mut it.rests, &mut it.trial_rests);
+        std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
         return second;
     }
-    for (row, trial) in it.rests.iter_mut().zip(&it.trial_rests) {
+    for (row, trial) in it.compensation.iter_mut().zip(&it.trial_compensation) {
         for axis in 0..3 {
             row[axis] = T::select(better, trial[axis], row[axis]);
         }
@@ -108,8 +109,9 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
     place_accepted(problem, it)
 }
 
-/// The forces that the springs would have come to had the points gone `gone` of the direction along their tangents, from the
-/// forces at hand and the kinematics of where they went from, which are those on trial now.
+/// The lagged tension: the forces that the springs would have reached had the points gone a fraction `gone` of the direction
+/// along their tangents. Computed from the current forces and the kinematics at the start of that motion, which are now the trial
+/// ones.
 #[inline(always)]
 pub(super) fn foresee<T: Lane>(it: &mut Iterate<T>, axes: &[usize], gone: &[f64; MAX_LANES]) {
     let Iterate { trial, system, change, .. } = it;
@@ -145,18 +147,18 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Foresee<'_, T, D, MASK
     }
 }
 
-/// Places the accepted state; its potential and the rounding of it.
+/// Evaluates the accepted state: its potential, and the rounding error of that.
 #[inline(always)]
 pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Place { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
+    T::call(Evaluate { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
 }
 
-/// Places the state on trial.
+/// Evaluates the trial state.
 #[inline(always)]
 pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let Iterate { trial, system, point_base, curvature_base, point_target, curvature_target, trial_curvatures, .. } = it;
-    T::call(Place {
+    T::call(Evaluate {
         problem,
         kinematics: trial,
         curvatures: trial_curvatures,
@@ -168,8 +170,8 @@ pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) ->
     })
 }
 
-/// Brings kinematics to curvatures, and evaluates the potential there.
-struct Place<'a, T> {
+/// Updates the kinematics to curvatures, and evaluates the potential there.
+struct Evaluate<'a, T> {
     problem: &'a Problem<'a, T>,
     kinematics: &'a mut Kinematics<T>,
     curvatures: &'a [[T; 3]],
@@ -180,7 +182,7 @@ struct Place<'a, T> {
     curvature_target: &'a [[T; 3]],
 }
 
-impl<T: Lane> Kernel for Place<'_, T> {
+impl<T: Lane> Kernel for Evaluate<'_, T> {
     type Output = (T, T);
     #[inline(always)]
     fn run(self) -> (T, T) {
@@ -205,37 +207,38 @@ impl<T: Lane> Kernel for Place<'_, T> {
     }
 }
 
-/// In f32: where what rounding left off the accepted curvatures puts the points. The potential does not see it: its own rounding is no
-/// finer; the forces do, so that an iteration's direction is of the step's changes and not of what rounding makes anew each time.
+/// In f32: the displacements of the points by the rounding errors of the accepted curvatures. The potential is no finer than its
+/// own rounding and ignores them. The forces include them, so that an iteration's direction comes from the step's changes and not
+/// from fresh rounding each time.
 #[inline(always)]
-pub(super) fn place_rests<T: Lane>(it: &mut Iterate<T>) {
+pub(super) fn place_compensation<T: Lane>(it: &mut Iterate<T>) {
     if T::PRECISION == Precision::F32 {
-        let Iterate { kinematics, rests, point_rests, .. } = it;
-        point_rests.resize(kinematics.points.len(), Vec3::zero());
-        T::call(PlaceRests { kinematics, rests, point_rests });
+        let Iterate { kinematics, compensation, point_compensation, .. } = it;
+        point_compensation.resize(kinematics.points.len(), Vec3::zero());
+        T::call(PlaceCompensation { kinematics, compensation, point_compensation });
     }
 }
 
-struct PlaceRests<'a, T> {
+struct PlaceCompensation<'a, T> {
     kinematics: &'a Kinematics<T>,
-    rests: &'a [[T; 3]],
-    point_rests: &'a mut [Vec3<T>],
+    compensation: &'a [[T; 3]],
+    point_compensation: &'a mut [Vec3<T>],
 }
 
-impl<T: Lane> Kernel for PlaceRests<'_, T> {
+impl<T: Lane> Kernel for PlaceCompensation<'_, T> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let point_rests = self.point_rests;
-        displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+        let point_compensation = self.point_compensation;
+        displacement::for_each_point(self.kinematics, self.compensation, |p, moved| point_compensation[p] = moved);
     }
 }
 
-/// The forces of the springs at the accepted state.
+/// The springs' forces at the accepted state.
 #[inline(always)]
 pub fn forces<T: Lane>(it: &mut Iterate<T>) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    let (rests, point_rests) = (&it.rests, &it.point_rests);
+    let (compensation, point_compensation) = (&it.compensation, &it.point_compensation);
     T::call(Forces {
         kinematics,
         system,
@@ -244,8 +247,8 @@ pub fn forces<T: Lane>(it: &mut Iterate<T>) {
         point_target,
         curvature_target,
         curvatures,
-        rests,
-        point_rests,
+        compensation,
+        point_compensation,
     });
 }
 
@@ -257,8 +260,8 @@ struct Forces<'a, T> {
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
     curvatures: &'a [[T; 3]],
-    rests: &'a [[T; 3]],
-    point_rests: &'a [Vec3<T>],
+    compensation: &'a [[T; 3]],
+    point_compensation: &'a [Vec3<T>],
 }
 
 impl<T: Lane> Kernel for Forces<'_, T> {
@@ -268,7 +271,7 @@ impl<T: Lane> Kernel for Forces<'_, T> {
         for (p, point) in self.kinematics.points.iter().enumerate() {
             let mut moved = point.position - self.point_base[p];
             if T::PRECISION == Precision::F32 {
-                moved += self.point_rests[p];
+                moved += self.point_compensation[p];
             }
             let off = self.point_target[p] - moved;
             self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
@@ -277,7 +280,7 @@ impl<T: Lane> Kernel for Forces<'_, T> {
             for axis in 0..3 {
                 let mut change = row[axis] - self.curvature_base[element][axis];
                 if T::PRECISION == Precision::F32 {
-                    change += self.rests[element][axis];
+                    change += self.compensation[element][axis];
                 }
                 let off = self.curvature_target[element][axis] - change;
                 self.system.curvature_force[element][axis] = self.system.curvature_stiffness[element][axis] * off;
@@ -286,7 +289,7 @@ impl<T: Lane> Kernel for Forces<'_, T> {
     }
 }
 
-/// Sum of the forces on the points and of their moments about the root.
+/// Sum of the forces on the points, and of their moments about the root.
 #[inline(always)]
 pub fn wrench<T: Lane>(kinematics: &Kinematics<T>, forces: &[Vec3<T>]) -> (Vec3<T>, Vec3<T>) {
     let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());

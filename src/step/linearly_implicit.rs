@@ -1,6 +1,8 @@
-//! The papers' step (Bertails et al. 2006, section 3.4; document 004, section 4.2.8), kept with its second-order terms: elasticity and
-//! Kelvin–Voigt friction implicit; gravity, drag, internal friction γ and velocity products explicit; one linear solve:
-//! (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
+//! The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its
+//! second-order terms.
+//!
+//! Elasticity and Kelvin–Voigt friction are implicit; gravity, drag, internal friction γ and velocity products explicit. It takes
+//! one linear solve: (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
 
 use nalgebra::Vector3;
 
@@ -72,7 +74,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
         };
     }
 
-    // The follicle feels weight, drag and inertia of the whole motion: a = J q̈ + what needs no q̈.
+    // The follicle carries weight, drag and the inertia of the whole motion: a = J q̈ + the acceleration without q̈.
     let inertia = &mut iterate.system.point_force;
     let (density, rate) = (loaded.linear_density, T::one() / step);
     velocity::for_each_point(&iterate.kinematics, &iterate.change, &RootMotion::still(), |p, change, _| {
@@ -85,7 +87,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     stage.resize(loaded.lengths.len(), points);
     iterate.curvatures.resize(loaded.lengths.len(), [T::zero(); 3]);
     if T::PRECISION == Precision::F32 {
-        iterate.rests.resize(loaded.lengths.len(), [T::zero(); 3]);
+        iterate.compensation.resize(loaded.lengths.len(), [T::zero(); 3]);
     }
     for (element, row) in iterate.curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
@@ -93,8 +95,8 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
                 let rate = loaded.rates[element][axis] + iterate.change[element][axis];
                 stage.rates[element][axis] = rate;
                 if T::PRECISION == Precision::F32 {
-                    let change = step * rate + loaded.rests[element][axis];
-                    (row[axis], iterate.rests[element][axis]) = loaded.curvatures[element][axis].sum_and_rest(change);
+                    let change = step * rate + loaded.compensation[element][axis];
+                    (row[axis], iterate.compensation[element][axis]) = loaded.curvatures[element][axis].two_sum(change);
                 } else {
                     row[axis] = loaded.curvatures[element][axis] + step * rate;
                 }
@@ -110,8 +112,8 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     workspace.last_stage = 0;
 }
 
-/// How the roots move over the step, from the start's point of view and from the end's: with the step's mean velocity at its end, and
-/// the acceleration to that from the last one.
+/// The motion of the roots over the step as seen from its start and from its end: the step's mean velocity at its end, and the
+/// acceleration from the last mean velocity to that.
 #[inline(always)]
 fn root_motions<T: Lane>(members: &dyn Members, h: f64, workspace: &Workspace<T>) -> (RootMotion<T>, RootMotion<T>) {
     let (mut start, mut end) = (RootMotion::still(), RootMotion::still());

@@ -1,20 +1,20 @@
-//! The error that one step adds to the positions of a strand's points, told from the step itself (Milne's device; Hairer, Nørsett and
-//! Wanner 1993, section III.7). World axes.
+//! The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's
+//! device; Hairer, Nørsett and Wanner 1993, section III.7).
 
 use super::tableau::Tableau;
 use super::workspace::Workspace;
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
 
-/// Backward differences against the parabola through the last two velocities, ω = h/h₋: the formula errs by c h³r‴,
-/// c = (1+ω)²/(6ω(1+2ω)), to one side, the parabola by (1/6 + 1/4ω) h³r‴ to the other.
+/// Backward differences against the parabola through the last two velocities, with ω = h/h₋. The formula errs by c h³r‴, c =
+/// (1+ω)²/(6ω(1+2ω)), to one side, the parabola by (1/6 + 1/4ω) h³r‴ to the other.
 #[inline(always)]
 pub fn of_backward_differences<T: Lane>(ratio: T, offset: Vec3<T>, workspace: &Workspace<T>) -> T {
     let (one, six) = (T::one(), T::splat(6.0));
     let h = workspace.loaded.step;
     let formula = (one + ratio) * (one + ratio) / (six * ratio * (one + ratio + ratio));
     let parabola = T::splat(1.0 / 6.0) + one / (T::splat(4.0) * ratio);
-    let share = formula / (formula + parabola);
+    let fraction = formula / (formula + parabola);
     let bend = T::splat(0.5) * h * ratio;
     let mut worst = T::zero();
     for (p, point) in workspace.iterate.kinematics.points.iter().enumerate() {
@@ -23,11 +23,11 @@ pub fn of_backward_differences<T: Lane>(ratio: T, offset: Vec3<T>, workspace: &W
         let moved = (point.position - workspace.iterate.point_base[p]) + offset;
         worst = worst.larger((moved - predicted).norm_squared());
     }
-    share * worst.sqrt()
+    fraction * worst.sqrt()
 }
 
-/// Two stages against the quadrature of order 3 on the velocities at the start and at both stages; one stage (implicit Euler) against
-/// the trapezoid.
+/// Two stages against the third-order quadrature of the velocities at the start and at both stages; one stage (implicit Euler)
+/// against the trapezoidal rule.
 #[inline(always)]
 pub fn of_stages<T: Lane>(tableau: &Tableau, workspace: &Workspace<T>) -> T {
     let c = tableau.times[0];

@@ -1,8 +1,8 @@
-//! The strands that take a step side by side, one a lane, and the way of their numbers into the lanes and back.
+//! Packs: strands that take a step side by side, one per lane, and the transfer of their numbers into lanes and back.
 //!
-//! In f32 every strand gets units of its own, powers of two near its length, its mass and the step, so that its numbers are of order one
-//! and nothing is lost on the way: f32 has too few exponents for the product of a hair's stiffness and a short step's square. Curvatures
-//! go there and back in two parts, a rounded one and the rest, so that small changes add up over many steps.
+//! In f32 every strand has its own units, powers of two near its length, its mass and the step, so that its numbers are of order
+//! one: f32 has too few exponents for the product of a hair's stiffness and a short step's square. Curvatures are transferred as
+//! a rounded part and a remainder, so that small changes add up over many steps.
 
 use super::options::Integrator;
 use super::state::{StrandState, rotation_matrix};
@@ -12,27 +12,27 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::strand::StrandModel;
 
-/// Strands of one [`Kind`].
+/// Strands with one pack key ([`Kind`]).
 pub trait Members {
-    /// How many there are, 1 to the lanes of the type that they go into.
+    /// How many there are: 1 to the number of lanes.
     fn count(&self) -> usize;
     /// A strand's constants.
     fn model(&self, lane: usize) -> &StrandModel;
     /// A strand's state.
     fn state(&self, lane: usize) -> &StrandState;
-    /// A strand's constants, and its state to be changed.
+    /// A strand's constants, and its mutable state.
     fn parts(&mut self, lane: usize) -> (&StrandModel, &mut StrandState);
-    /// The root's pose that many seconds after the step's start.
+    /// The root's pose at a time in seconds after the start of the step.
     fn root_at(&self, lane: usize, seconds: f64) -> Frame;
 }
 
-/// What strands must have in common to take a step side by side, as one number: how many elements, which quadrature rule, which free
-/// curvatures, which terms (drag, internal friction along each axis), and whether the step leans on the one before.
+/// The pack key: what strands must share to step side by side, as one number. It holds the number of elements, the quadrature
+/// rule, the free curvatures, the active terms (drag, internal friction along each axis), and whether the step uses the history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Kind(u64);
 
 impl Kind {
-    /// The kind of a strand in a step of `h` seconds.
+    /// The key of a strand in a step of `h` seconds.
     pub fn of(model: &StrandModel, state: &StrandState, integrator: Integrator, h: f64) -> Self {
         let past = integrator == Integrator::SecondOrder && stages::leans_on_past(state, h);
         let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(past) << 1;
@@ -50,7 +50,7 @@ pub struct One<'a> {
     pub model: &'a StrandModel,
     /// State.
     pub state: &'a mut StrandState,
-    /// The root's way.
+    /// The root's path.
     pub root_at: &'a dyn Fn(f64) -> Frame,
 }
 
@@ -120,7 +120,7 @@ impl Units {
 
 /// The power of two at or below a positive number.
 fn power_of_two(value: f64) -> f64 {
-    // The exponent's bits alone; a subnormal number gets the smallest normal one.
+    // The exponent's bits alone; a subnormal number becomes the smallest normal one.
     f64::from_bits(value.to_bits() & 0x7ff0_0000_0000_0000).max(f64::MIN_POSITIVE)
 }
 
@@ -161,17 +161,17 @@ pub struct Loaded<T> {
     pub velocities: Vec<Vec3<T>>,
     /// The root's rotation.
     pub rotation: Mat3<T>,
-    /// What rounding leaves off κ (f32 only).
-    pub rests: Vec<[T; 3]>,
-    /// κ a step ago.
+    /// Rounding error of κ in the lane (f32 only).
+    pub compensation: Vec<[T; 3]>,
+    /// κ at the start of the last step.
     pub past_curvatures: Vec<[T; 3]>,
-    /// What rounding leaves off κ a step ago (f32 only).
-    pub past_rests: Vec<[T; 3]>,
-    /// v a step ago.
+    /// Rounding error of that (f32 only).
+    pub past_compensation: Vec<[T; 3]>,
+    /// v at the start of the last step.
     pub past_velocities: Vec<Vec3<T>>,
-    /// The root's rotation a step ago.
+    /// The root's rotation at the start of the last step.
     pub past_rotation: Mat3<T>,
-    /// The root's origin a step ago, from where it is now.
+    /// The root's origin at the start of the last step, relative to the current one.
     pub past_offset: Vec3<T>,
     /// Seconds of the last step.
     pub past_step: T,
@@ -199,9 +199,9 @@ impl<T: Lane> Default for Loaded<T> {
             rates: Vec::new(),
             velocities: Vec::new(),
             rotation: Mat3::zero(),
-            rests: Vec::new(),
+            compensation: Vec::new(),
             past_curvatures: Vec::new(),
-            past_rests: Vec::new(),
+            past_compensation: Vec::new(),
             past_velocities: Vec::new(),
             past_rotation: Mat3::zero(),
             past_offset: Vec3::zero(),
@@ -232,9 +232,9 @@ fn put_rows<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: 
     }
 }
 
-/// What rounding left off rows that were put into a lane.
+/// Rounding errors of rows that were put into a lane.
 #[inline(always)]
-fn put_rests<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: f64, rounded: &[[T; 3]]) {
+fn put_compensation<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: f64, rounded: &[[T; 3]]) {
     for ((to, from), rounded) in to.iter_mut().zip(from).zip(rounded) {
         for axis in 0..3 {
             to[axis].set_lane(lane, from[axis] * factor - rounded[axis].lane(lane));
@@ -258,30 +258,30 @@ pub fn put_rotation<T: Lane>(to: &mut Mat3<T>, lane: usize, from: &Frame) {
     }
 }
 
-/// One lane of the way from one origin to another.
+/// One lane of the vector from one origin to another.
 #[inline(always)]
 pub fn put_offset<T: Lane>(to: &mut Vec3<T>, lane: usize, from: &Frame, until: &Frame, units: &Units) {
-    let way = until.origin - from.origin;
-    put(&mut to.0, lane, &[way.x, way.y, way.z], 1.0 / units.length);
+    let offset = until.origin - from.origin;
+    put(&mut to.0, lane, &[offset.x, offset.y, offset.z], 1.0 / units.length);
 }
 
-/// What of a state a step reads.
+/// What a step reads of a state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reads {
     /// The points' velocities.
     pub velocities: bool,
-    /// The step before.
+    /// The last step.
     pub past: bool,
 }
 
 impl<T: Lane> Loaded<T> {
-    /// The strand whose numbers a lane has.
+    /// The strand whose numbers are in a lane.
     #[inline(always)]
     pub fn member(&self, lane: usize) -> usize {
         if lane < self.count { lane } else { 0 }
     }
 
-    /// The curvature's unit of a lane is 1/length.
+    /// Loads every lane. A lane's unit of curvature is 1/length.
     #[inline(always)]
     pub fn load(&mut self, members: &dyn Members, surroundings: &Surroundings, h: f64, reads: Reads) {
         let elements = members.model(0).element_count();
@@ -299,9 +299,9 @@ impl<T: Lane> Loaded<T> {
             self.past_velocities.resize(points, Vec3::zero());
         }
         if T::PRECISION == Precision::F32 {
-            self.rests.resize(elements, [T::zero(); 3]);
+            self.compensation.resize(elements, [T::zero(); 3]);
             if reads.past {
-                self.past_rests.resize(elements, [T::zero(); 3]);
+                self.past_compensation.resize(elements, [T::zero(); 3]);
             }
         }
         (self.has_drag, self.has_dissipation) = (false, [false; 3]);
@@ -347,7 +347,7 @@ impl<T: Lane> Loaded<T> {
         put_rows(&mut self.curvatures, lane, &state.curvatures, length);
         put_rows(&mut self.rates, lane, &state.rates, length * time);
         if T::PRECISION == Precision::F32 {
-            put_rests(&mut self.rests, lane, &state.curvatures, length, &self.curvatures);
+            put_compensation(&mut self.compensation, lane, &state.curvatures, length, &self.curvatures);
         }
         put_rotation(&mut self.rotation, lane, &state.root);
         if reads.velocities {
@@ -356,7 +356,7 @@ impl<T: Lane> Loaded<T> {
         if reads.past {
             put_rows(&mut self.past_curvatures, lane, &state.past.curvatures, length);
             if T::PRECISION == Precision::F32 {
-                put_rests(&mut self.past_rests, lane, &state.past.curvatures, length, &self.past_curvatures);
+                put_compensation(&mut self.past_compensation, lane, &state.past.curvatures, length, &self.past_curvatures);
             }
             put_vectors(&mut self.past_velocities, lane, &state.past.velocities, 1.0 / units.speed());
             put_rotation(&mut self.past_rotation, lane, &state.past.root);

@@ -3,34 +3,35 @@
 //! Files:
 //!
 //! - `context.rs`: What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
-//! - `damping.rs`: How strongly Newton's iteration holds the rotations back: Levenberg's and Marquardt's parameter λ, in N·m/rad, and its memory.
+//! - `damping.rs`: Levenberg–Marquardt damping of the rotations in Newton's iteration: the parameter λ, N·m/rad, from iteration to iteration.
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
-//! - `equilibrium.rs`: Static equilibrium: the shape in which a strand rests under gravity, a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
+//! - `equilibrium.rs`: Static equilibrium of a strand under gravity: a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
 //! - `held.rs`: The step of strands that forces from outside hold at stations, one Newton iteration at a time.
 //! - `held_alone.rs`: A strand that forces hold at stations and that takes its step by itself, an iteration at a time.
 //! - `held_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
 //! - `held_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::held`.
 //! - `held_packs.rs`: Packs of strands that forces hold, in registers of any width.
-//! - `iterate.rs`: Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand between them.
-//! - `linearly_implicit.rs`: The papers' step (Bertails et al. 2006, section 3.4; document 004, section 4.2.8), kept with its second-order terms.
-//! - `local_error.rs`: The error that one step adds to the positions of a strand's points, told from the step itself (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
-//! - `members.rs`: The strands that take a step side by side, one a lane, and the way of their numbers into the lanes and back.
+//! - `iterate.rs`: The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand between them.
+//! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
+//! - `linearly_implicit.rs`: The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its second-order terms.
+//! - `local_error.rs`: The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
+//! - `members.rs`: Packs: strands that take a step side by side, one per lane, and the transfer of their numbers into lanes and back.
 //! - `newton.rs`: Newton's iteration on a strand's incremental potential.
-//! - `options.rs`: How a step is taken: which integrator, which linear solve, how far Newton goes.
-//! - `packs.rs`: Which lanes strands go into: by precision, by the instructions at hand, and by how many there are.
+//! - `options.rs`: Options of a step: integrator, linear solve, tolerances.
+//! - `packs.rs`: The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
 //! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
-//! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures with step doubling.
-//! - `regrid.rs`: A strand taken to other elements while it moves: more of them near the eye, fewer far away.
-//! - `root_path.rs`: The root's smooth way through a step with its velocities and accelerations, from poses alone.
+//! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
+//! - `regrid.rs`: Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away.
+//! - `root_path.rs`: The root's smooth path through a step, with velocities and accelerations, from poses alone.
 //! - `root_velocity.rs`: The root's mean velocity over a step.
-//! - `scratch.rs`: The scratch memory of one worker for all that it may be asked to step: one workspace a type of lanes, empty until it is used.
-//! - `single.rs`: One strand at a time: the way of those that no pack takes.
-//! - `stages.rs`: Runge–Kutta steps as minimisations (design, section 5).
-//! - `state.rs`: What a step changes about a strand.
-//! - `subdivision.rs`: Subdivision: a strand whose step does not converge, turns non-finite or errs by more than allowed takes it in parts.
+//! - `scratch.rs`: The scratch memory of one worker: a workspace for each type of lanes, empty until first used.
+//! - `single.rs`: Steps of one strand at a time, for strands outside any pack.
+//! - `stages.rs`: Runge–Kutta steps as minimisations.
+//! - `state.rs`: The state of a strand: what a step changes.
+//! - `subdivision.rs`: Subdivision: a strand whose step does not converge, turns non-finite or errs by more than permitted takes it in substeps.
 //! - `tableau.rs`: Singly diagonally implicit Runge–Kutta methods, stiffly accurate and L-stable, that share one Newton.
-//! - `whole.rs`: A step in one piece of strands side by side: taken in the workspace, and made their state only where that is wanted.
-//! - `workspace.rs`: The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
+//! - `whole.rs`: A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
+//! - `workspace.rs`: The scratch memory of a step, one per worker, kept between strands and steps so that nothing is allocated once it has grown.
 
 pub mod context;
 pub mod damping;
@@ -42,6 +43,7 @@ mod held_loads;
 pub mod held_pack;
 pub mod held_packs;
 pub mod iterate;
+mod line_search;
 pub mod linearly_implicit;
 pub mod local_error;
 pub mod members;
@@ -73,7 +75,7 @@ use single::Single;
 use state::RuleScratch;
 use workspace::Workspace;
 
-/// What acts on all strands alike.
+/// The forces of the surroundings, the same for all strands.
 #[derive(Debug, Clone, Copy)]
 pub struct Surroundings {
     /// Gravity, m/s².
@@ -82,10 +84,10 @@ pub struct Surroundings {
     pub wind: Vec3<f64>,
 }
 
-/// What a step needs to know beside the strands.
+/// What a step needs beside the strands.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting<'a> {
-    /// What acts on them.
+    /// Gravity and wind.
     pub surroundings: &'a Surroundings,
     /// How the step is taken.
     pub options: &'a StepOptions,
@@ -96,24 +98,24 @@ pub struct Setting<'a> {
 /// How one strand's step went.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrandOutcome {
-    /// Newton iterations, those of attempts that were given up included.
+    /// Newton iterations, including those of rejected attempts.
     pub iterations: u32,
-    /// Parts that the step was taken in.
+    /// Substeps that the step took.
     pub substeps: u32,
     /// Reached the tolerance.
     pub converged: bool,
-    /// A number turned non-finite; the state is that of the step's start.
+    /// A number turned non-finite; the state is that at the start of the step.
     pub quarantined: bool,
-    /// It was left before it came to its end, by what the step might cost.
+    /// The step's budget ended it before it converged.
     pub left: bool,
-    /// How far an element may still be from where the iteration would end, rad.
+    /// Estimated distance of an element from where the iteration would converge, rad.
     pub residual: f64,
     /// Condition number of the last matrix (dense singular values only).
     pub condition: f64,
-    /// What the step, or the worst of its parts, added to the error of a point's position, in units of the strand's length; 0 where
-    /// [`StepOptions::error_tolerance`] is 0.
+    /// The error that the step, or the worst of its substeps, added to a point's position, relative to the strand's length; 0
+    /// where [`StepOptions::error_tolerance`] is 0.
     pub error: f64,
-    /// Energies at the step's end; nothing in particular where the state was rolled back.
+    /// Energies at the end of the step; unspecified where the state was rolled back.
     pub energies: Energies,
 }
 
@@ -134,15 +136,15 @@ impl Default for StrandOutcome {
 }
 
 impl StrandOutcome {
-    /// Counts a part of a held strand's step.
+    /// Adds a substep of a constrained strand.
     pub(crate) fn add_held_part(&mut self, part: &Self) {
         self.iterations += part.iterations;
         self.quarantined |= part.quarantined;
-        self.add_part(part);
+        self.add_substep(part);
     }
 
-    /// Counts a part of the step that was kept; its iterations are counted apart.
-    fn add_part(&mut self, part: &Self) {
+    /// Adds a kept substep, without its iterations, which are counted separately.
+    fn add_substep(&mut self, part: &Self) {
         self.substeps += 1;
         self.converged &= part.converged;
         self.residual = self.residual.max(part.residual);
@@ -154,14 +156,14 @@ impl StrandOutcome {
 
 /// Takes one strand through a step of `h` seconds. A strand that turns non-finite is rolled back.
 ///
-/// A step that does not serve is taken in parts; see [`StepOptions::max_subdivisions`].
+/// A step that fails is taken in substeps: see [`StepOptions::max_subdivisions`].
 pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
     if setting.options.integrator == Integrator::Reference {
         return take_reference(setting, one, h, scratch);
     }
     let begin = one.state.subdivision.min(subdivision::levels(setting.options));
     if begin > 0 {
-        return take_in_parts(setting, one, h, begin, scratch);
+        return take_in_substeps(setting, one, h, begin, scratch);
     }
     let whole = match setting.options.precision {
         Precision::F64 => take_whole(setting, one, h, &mut scratch.one, &mut scratch.rule),
@@ -170,27 +172,28 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> 
     finish(setting, one, h, &whole, scratch)
 }
 
-/// Ends the step of a strand that took it in one piece: in parts where that did not serve.
+/// Finishes the step of a strand that tried it in one piece: in substeps if that failed.
 pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut Scratch) -> StrandOutcome {
     if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
         one.state.subdivision = 0;
         return *whole;
     }
-    let mut outcome = take_in_parts(setting, one, h, 1, scratch);
+    let mut outcome = take_in_substeps(setting, one, h, 1, scratch);
     outcome.iterations += whole.iterations;
     outcome
 }
 
-fn take_in_parts(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
+fn take_in_substeps(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
     let Scratch { one: bench, one_f32, rule, before_step, .. } = scratch;
     let begin = before_step.get_or_insert_default();
     match setting.options.precision {
-        Precision::F64 => subdivision::in_parts(one, setting, h, level, bench, rule, begin),
-        Precision::F32 => subdivision::in_parts(one, setting, h, level, one_f32, rule, begin),
+        Precision::F64 => subdivision::in_substeps(one, setting, h, level, bench, rule, begin),
+        Precision::F32 => subdivision::in_substeps(one, setting, h, level, one_f32, rule, begin),
     }
 }
 
-/// A step in one piece of one strand; it becomes the state where it serves, and where it may not be subdivided.
+/// Takes one strand through a step in one piece. The result becomes the state where it is acceptable, or where the step may not
+/// be subdivided.
 fn take_whole<T: Single>(
     setting: &Setting,
     one: &mut One,
@@ -205,7 +208,7 @@ fn take_whole<T: Single>(
     outcome
 }
 
-/// Makes the end of a step in one piece a strand's state, at the quadrature rule that its new shape needs.
+/// Makes the end of a step in one piece the strand's state, at the quadrature rule of its new shape.
 fn keep<T: Lane>(
     members: &mut dyn Members,
     lane: usize,

@@ -1,19 +1,21 @@
-//! Newton's iteration on a strand's incremental potential: a spring at every quadrature point and at every curvature (see `energy`),
-//! nonlinear because the points are where the curvatures put them.
+//! Newton's iteration on a strand's incremental potential: springs at every quadrature point and every curvature (see `energy`),
+//! nonlinear because the curvatures determine the points.
 //!
-//! Each iteration solves with the exact Hessian, whose geometric terms are of the forces that the iteration before foresaw, not of those
-//! that it found: the springs of the points are far stiffer than the strand, so that a point that went by its tangent instead of
-//! its arc feels a force many times the true tension, and a Hessian that believes it is far too stiff. So Newton's method treats a
-//! constraint and its multiplier. The first iteration foresees nothing and has no geometric terms.
+//! Each iteration solves with the exact Hessian, whose geometric terms use lagged tension: the forces that the last iteration
+//! predicted, not the ones it found. The springs of the points are far stiffer than the strand. A point that went along its
+//! tangent instead of its arc feels a force many times the true tension, and a Hessian built from that force is far too stiff.
+//! Newton's method treats a constraint and its multiplier the same way. The first iteration predicts nothing and has no geometric
+//! terms.
 //!
-//! Where a pivot is not positive the rotations of all elements are damped (Levenberg and Marquardt's method, measured by rotation) and
-//! the system solved again: a mode of negative curvature is then held back where it is. A direction that turns an element by more than
-//! the limit is shortened, and one that turns it far beyond is damped too. The way is halved until the potential falls enough (Armijo's
-//! condition). The minimum is the step. What each of these brought is in `docs/theory/newton.md`.
+//! Where a pivot is not positive the iteration damps the rotations of all elements (the Levenberg–Marquardt method, measured by
+//! rotation) and solves the system again, which holds back a mode of negative curvature. It shortens a direction that turns an
+//! element by more than the limit, and damps one that turns it far beyond. It halves the step length until the potential falls
+//! enough (Armijo's condition). The minimum is the result of the time step. `docs/theory/newton.md` measures the effect of each.
 
 use super::StrandOutcome;
 use super::damping::Damping;
-use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_rests, place_trial};
+use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_compensation};
+use super::line_search::{self, LineSearch, Merit, lanes};
 use super::options::{LinearSolver, StepOptions};
 use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::elimination::Elimination;
@@ -22,64 +24,24 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 
 /// A direction that would turn an element by more than this many limits is damped, not only shortened.
 const SHORTENED_AT_MOST: f64 = 20.0;
-/// An undamped iteration that turned by θ leaves at most about this times θ² to turn: 99 of 100 iterations on shaken and walking heads
-/// (`docs/theory/newton.md`).
-const QUADRATIC: f64 = 50.0;
-/// Where the iterations themselves show a larger constant, this times what they show is taken.
-const QUADRATIC_SAFETY: f64 = 3.0;
-/// In f32 an iteration that goes its whole way undamped, turns by no more than this many [`ROUNDING`]s, and by no less than [`STALLED`] of
-/// what the last turned by, has come to where only rounding moves it.
+/// In f32 only rounding moves an iteration that is undamped and of full length, turns by no more than this many [`ROUNDING`]s,
+/// and turns by no less than [`STALLED`] of the last turn.
 const ROUNDING_AT_MOST: f64 = 16.0;
 /// See [`ROUNDING_AT_MOST`].
 const STALLED: f64 = 0.5;
-/// How far rounding alone may leave an element of a strand of N elements, rad: this times N + 8 distances from 1 to the next number.
+/// The error of an element that rounding alone may cause in a strand of N elements, rad: this times N + 8 distances from 1 to the
+/// next number.
 const ROUNDING: f64 = 2.0;
-/// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
+/// Largest number of dampings in an iteration: 4⁴⁰ spans the relevant range of f64.
 pub(super) const MAX_DAMPINGS: u32 = 40;
-/// Armijo's fraction of the promised descent.
-pub(super) const ARMIJO: f64 = 1e-4;
-/// Halvings of the way before an iteration is given up.
-pub(super) const MAX_HALVINGS: u32 = 40;
-
-/// The potential and how far rounding may move it.
-#[derive(Debug, Clone, Copy, Default)]
-struct Potential {
-    value: f64,
-    noise: f64,
-}
-
-/// What the iteration knows of every lane; lanes are sets of bits.
+/// What the iteration tracks for every lane; lanes are sets of bits.
 struct Control {
-    potential: [Potential; MAX_LANES],
-    next: [Potential; MAX_LANES],
+    potential: [Merit; MAX_LANES],
     damping: [Damping; MAX_LANES],
-    /// The last iteration's rotation, if Newton went its whole way undamped.
+    /// The last iteration's rotation, if it was undamped and of full length.
     before: [Option<f64>; MAX_LANES],
-    /// The share of the direction that was gone.
+    /// The fraction of the direction that was taken.
     gone: [f64; MAX_LANES],
-}
-
-/// The lanes of a set, ascending.
-#[inline(always)]
-fn lanes(set: u32) -> Lanes {
-    Lanes(set)
-}
-
-/// See [`lanes`].
-struct Lanes(u32);
-
-impl Iterator for Lanes {
-    type Item = usize;
-    #[inline(always)]
-    fn next(&mut self) -> Option<usize> {
-        if self.0 == 0 {
-            return None;
-        }
-        // An index that the compiler sees to be below the length of the arrays.
-        let lane = self.0.trailing_zeros() as usize % MAX_LANES;
-        self.0 &= self.0 - 1;
-        Some(lane)
-    }
 }
 
 /// Minimises the potential of one strand with the solver that the options name; see [`minimise`].
@@ -95,7 +57,7 @@ pub fn minimise_one<T: Lane>(
     outcomes[0]
 }
 
-/// The dense solve of that name.
+/// The dense solve of this name.
 pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
     match solver {
         LinearSolver::LinearTime => None,
@@ -105,9 +67,9 @@ pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
     }
 }
 
-/// Minimises the potentials that `point_target`, `curvature_target` and the stiffnesses of the system describe, those of the lanes in
-/// `active`, from `curvatures` (placed, `start` the potentials and their rounding), which end at the minima; `kinematics` and the system's
-/// forces end there too. No lane's result depends on the others.
+/// Minimises the potentials given by `point_target`, `curvature_target` and the system's stiffnesses, for the lanes in `active`.
+/// Starts at `curvatures` (already evaluated; `start` is the potentials and their rounding errors) and ends with the minima
+/// there, and with `kinematics` and the system's forces at the minima. Lanes do not affect each other.
 #[inline(always)]
 pub fn minimise<T: Lane, S: LinearSolve<T>>(
     problem: &Problem<T>,
@@ -120,12 +82,11 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
 ) {
     it.system.exact = options.exact_hessian && problem.tension_at_start;
     it.system.point_tension.clear();
-    place_rests(it);
+    place_compensation(it);
     let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
-        potential: [Potential::default(); MAX_LANES],
-        next: [Potential::default(); MAX_LANES],
+        potential: [Merit::default(); MAX_LANES],
         damping: std::array::from_fn(|lane| Damping::new(if lane < T::LANES { usual.lane(lane) } else { 0.0 })),
         before: [None; MAX_LANES],
         gone: [0.0; MAX_LANES],
@@ -134,7 +95,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     let mut running = active;
     for lane in lanes(active) {
         outcomes[lane] = StrandOutcome::default();
-        control.potential[lane] = Potential { value: value.lane(lane), noise: noise.lane(lane) };
+        control.potential[lane] = Merit { value: value.lane(lane), noise: noise.lane(lane) };
         if !control.potential[lane].value.is_finite() {
             outcomes[lane].quarantined = true;
             running &= !(1 << lane);
@@ -160,33 +121,35 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             }
             outcome.residual = rotation;
             rotations[lane] = rotation;
-            part[lane] = if rotation > S::ROTATION_LIMIT { S::ROTATION_LIMIT / rotation } else { 1.0 };
-            // So near the end an f32's potential says nothing but rounding, and the whole way is the right one.
+            part[lane] = line_search::first_fraction(rotation, S::ROTATION_LIMIT);
+            // This near the minimum an f32 potential shows only rounding, and the full step is right.
             if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST * rounding && found.repaired.lane(lane) == 0.0 {
                 trusted |= 1 << lane;
             }
         }
-        // Lanes with no way down that rounding lets us see are as good as their potential can tell.
-        running &= !walk(problem, it, &mut control, &found, part, running, trusted);
+        // Lanes without a descent that rounding lets us see are as good as their potential can show.
+        let from = control.potential;
+        let potential = |_: &Iterate<T>, _: usize, potential: Merit| potential;
+        let search = LineSearch { problem, descent: found.descent, from: &from, trusted };
+        let (failed, next) = search.run(it, &mut part, running, potential);
+        running &= !failed;
+        for lane in lanes(running) {
+            control.gone[lane] = part[lane];
+        }
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
-        std::mem::swap(&mut it.rests, &mut it.trial_rests);
-        place_rests(it);
+        std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
+        place_compensation(it);
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
-            let (from, next) = (control.potential[lane], control.next[lane]);
+            let (from, next) = (control.potential[lane], next[lane]);
             if S::DAMPED {
-                // The model promised f·d − ½ d·H d with H d = f − λ·(rotations).
-                let promised = 0.5 * (found.descent.lane(lane) + damping.value * found.rotation_sum.lane(lane));
-                let seen = promised >= 8.0 * from.noise;
-                damping.learn(if seen { (from.value - next.value) / promised } else { 1.0 });
+                line_search::teach(damping, &found, lane, from, next);
             }
             control.potential[lane] = next;
             let newton = damping.value == 0.0 && control.gone[lane] == 1.0;
-            let quadratic = newton && it.system.exact;
-            let left = constant(rotation, control.before[lane]) * rotation;
-            outcome.residual = if quadratic { rotation * left.min(1.0) } else { rotation };
+            outcome.residual = line_search::left(rotation, newton && it.system.exact, control.before[lane]);
             if T::PRECISION == Precision::F32 {
                 let stalled = control.before[lane].is_some_and(|before| rotation >= STALLED * before);
                 if newton && stalled && rotation <= ROUNDING_AT_MOST * rounding && outcome.residual > options.tolerance {
@@ -226,7 +189,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     forces(it);
 }
 
-/// Newton's direction; the linear-time solve damps it until every pivot is positive and no element turns far beyond the limit.
+/// Newton's direction. The linear-time solve damps it until every pivot is positive and no element turns far beyond the limit.
 #[inline(always)]
 fn damped_direction<T: Lane, S: LinearSolve<T>>(
     it: &mut Iterate<T>,
@@ -243,13 +206,13 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
     loop {
         it.system.rotation_stiffness = T::from_lanes(|lane| control.damping[lane].value);
         let found = solver.solve(&it.kinematics, &it.system, axes, &mut it.change);
-        // The dense solves repair by eigenvalues and know no damping. A lane that is good keeps its damping, and gets the same direction
+        // The dense solves repair by eigenvalues and know no damping. A good lane keeps its damping, and gets the same direction
         // again.
         let mut good = true;
         if S::DAMPED && tries < MAX_DAMPINGS {
             for lane in lanes(running) {
                 let squared = found.rotation_squared.lane(lane);
-                // Too large for a number is too large.
+                // An overflow counts as too large.
                 if found.repaired.lane(lane) != 0.0 || squared > largest || !squared.is_finite() {
                     control.damping[lane].grow();
                     good = false;
@@ -261,69 +224,6 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
         }
         tries += 1;
     }
-}
-
-/// Goes along the direction, `part` of it at first, halving until the potential falls enough; the trial state is then where it is. The
-/// lanes that found no way down are told, and stay where they are, as those that do not run. `trusted` lanes go the whole way unseen.
-#[inline(always)]
-fn walk<T: Lane>(
-    problem: &Problem<T>,
-    it: &mut Iterate<T>,
-    control: &mut Control,
-    found: &Direction<T>,
-    mut part: [f64; MAX_LANES],
-    running: u32,
-    trusted: u32,
-) -> u32 {
-    let mut pending = running;
-    let mut moving = running;
-    for _ in 0..MAX_HALVINGS {
-        let (value, noise) = place_on_way(problem, it, &part, moving);
-        for lane in lanes(pending) {
-            let from = control.potential[lane];
-            let trial = Potential { value: value.lane(lane), noise: noise.lane(lane) };
-            let falls = trial.value <= from.value - ARMIJO * part[lane] * found.descent.lane(lane) + from.noise;
-            if falls || trusted >> lane & 1 == 1 {
-                control.next[lane] = trial;
-                control.gone[lane] = part[lane];
-                pending &= !(1 << lane);
-            } else {
-                part[lane] *= 0.5;
-            }
-        }
-        if pending == 0 {
-            return 0;
-        }
-    }
-    moving &= !pending;
-    place_on_way(problem, it, &part, moving);
-    pending
-}
-
-/// Puts the trial state `part` of the direction on from the accepted one, in the lanes of `moving`.
-#[inline(always)]
-pub(super) fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
-    let share = T::from_lanes(|lane| part[lane]);
-    let moving = T::mask(moving);
-    it.trial_curvatures.clone_from(&it.curvatures);
-    if T::PRECISION == Precision::F32 {
-        it.trial_rests.clone_from(&it.rests);
-        for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
-            for axis in problem.axes {
-                let way = share * it.change[element][*axis] + it.rests[element][*axis];
-                let (sum, rest) = row[*axis].sum_and_rest(way);
-                row[*axis] = T::select(moving, sum, row[*axis]);
-                it.trial_rests[element][*axis] = T::select(moving, rest, it.rests[element][*axis]);
-            }
-        }
-        return place_trial(problem, it);
-    }
-    for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
-        for axis in 0..3 {
-            row[axis] = T::select(moving, row[axis] + share * change[axis], row[axis]);
-        }
-    }
-    place_trial(problem, it)
 }
 
 /// Whether the accepted states, which damped iterations crept to, solve the step's equations without being minima: the squared rotation
@@ -339,11 +239,6 @@ fn stationary<T: Lane, S: LinearSolve<T>>(problem: &Problem<T>, it: &mut Iterate
     let found = solver.solve(&it.kinematics, &it.system, problem.axes, &mut it.change);
     std::mem::swap(&mut it.system.point_tension, &mut it.spare_tension);
     found.rotation_squared
-}
-
-/// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or what the last two rotations show.
-pub(super) fn constant(rotation: f64, before: Option<f64>) -> f64 {
-    before.map_or(QUADRATIC, |before| QUADRATIC.max(QUADRATIC_SAFETY * rotation / (before * before)))
 }
 
 /// The damping to try first: a hundredth of what the points' springs hold the rotation of one element's share with.

@@ -1,4 +1,4 @@
-//! How a step is taken: which integrator, which linear solve, how far Newton goes.
+//! Options of a step: integrator, linear solve, tolerances.
 
 use crate::error::{Error, Result};
 use crate::math::lane::Precision;
@@ -8,22 +8,24 @@ use crate::math::quadrature;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u32)]
 pub enum Integrator {
-    /// The papers' step (Bertails et al. 2006, section 3.4): one linear solve, elasticity implicit, gravity, drag, internal
-    /// friction γ and velocity products explicit. For calm scenes only: its limits are measured in `docs/theory/integrators.md`.
+    /// The linearly implicit step of the papers (Bertails et al. 2006, section 3.4): one linear solve; elasticity implicit;
+    /// gravity, drag, internal friction γ and velocity products explicit. For calm scenes only: `docs/theory/integrators.md`
+    /// measures its limits.
     LinearlyImplicit = 1,
-    /// Implicit Euler: Newton on the incremental potential. First order: it damps, and forgives anything.
+    /// Implicit Euler: Newton on the incremental potential. First order, dissipative and robust.
     ImplicitEuler = 2,
-    /// Two-step backward differences on the same Newton: second order for the price of implicit Euler, and stable where that is.
+    /// Two-step backward differences with the same Newton iteration: second order at the cost of implicit Euler, and equally
+    /// stable.
     #[default]
     SecondOrder = 3,
-    /// Radau IIA, order 5, in steps of its own that keep the error below [`StepOptions::reference_tolerance`]. Dense matrices: to
-    /// measure the others by, not to animate with. Free strands only: a step is refused where strands may touch something or
-    /// constraints hold them.
+    /// Radau IIA of order 5, in adaptive steps that keep the error below [`StepOptions::reference_tolerance`]. Uses dense
+    /// matrices: a yardstick for the others, not for animation. For free strands only: a step fails where strands may be in
+    /// contact or have constraints.
     Reference = 4,
 }
 
 impl Integrator {
-    /// The integrator of that number, as the C ABI and snapshots have it.
+    /// The integrator of this number in the C ABI and in snapshots.
     pub fn from_u32(value: u32) -> Option<Self> {
         [Self::LinearlyImplicit, Self::ImplicitEuler, Self::SecondOrder, Self::Reference]
             .into_iter()
@@ -38,16 +40,17 @@ pub enum LinearSolver {
     /// Elimination from tip to root: cost proportional to the number of elements.
     #[default]
     LinearTime = 1,
-    /// The dense matrix by Cholesky's factorisation (document 004, "LL"); an indefinite one is repaired by its eigenvalues.
+    /// The dense matrix by Cholesky's factorisation (Bergbom 2007, "LL"); eigenvalues repair an indefinite one.
     DenseCholesky = 2,
-    /// The dense matrix by conjugate gradients with a diagonal preconditioner (paper 000, section 3.4; document 004, "PCG").
+    /// The dense matrix by conjugate gradients with a diagonal preconditioner (Bertails et al. 2006, section 3.4; Bergbom 2007,
+    /// "PCG").
     DenseConjugateGradients = 3,
-    /// The dense matrix by singular values (document 004, "SVD"); the step report carries the largest condition number.
+    /// The dense matrix by singular values (Bergbom 2007, "SVD"); the step report has the largest condition number.
     DenseSingularValues = 4,
 }
 
 impl LinearSolver {
-    /// The solver of that number, as the C ABI and snapshots have it.
+    /// The solver of this number in the C ABI and in snapshots.
     pub fn from_u32(value: u32) -> Option<Self> {
         [Self::LinearTime, Self::DenseCholesky, Self::DenseConjugateGradients, Self::DenseSingularValues]
             .into_iter()
@@ -55,7 +58,7 @@ impl LinearSolver {
     }
 }
 
-/// The knobs of a step.
+/// Options of a step.
 ///
 /// ```
 /// use superhelix::{Precision, Solver, SolverOptions, StepOptions};
@@ -72,32 +75,35 @@ pub struct StepOptions {
     pub integrator: Integrator,
     /// Which linear solve.
     pub linear_solver: LinearSolver,
-    /// Newton iterations a solve at most, 1 to 10000. A strand that needs more is reported as unconverged.
+    /// Largest number of Newton iterations per solve, 1 to 10000. A strand that needs more is reported as unconverged.
     pub max_iterations: u32,
-    /// Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero. Newton
-    /// converges quadratically, and the estimate counts on that (`docs/theory/newton.md`). In f32 also where only rounding moves it on; the
-    /// outcome's residual then tells by how much, which may be above the tolerance (`docs/theory/lanes.md`).
+    /// Converged when the estimated distance of every element from where the iteration would end is below this, rad; above zero.
+    /// The estimate relies on Newton's quadratic convergence (`docs/theory/newton.md`). In f32 a strand also converges where only
+    /// rounding still moves it; the outcome's residual then says by how much, possibly more than the tolerance
+    /// (`docs/theory/lanes.md`).
     pub tolerance: f64,
     /// Newton's matrix is the exact Hessian (tension included). False: Gauss–Newton, for comparison.
     pub exact_hessian: bool,
-    /// [`Integrator::Reference`] only: the error allowed in positions, in units of the strand's length, for each second of simulated
-    /// time; 1e-12 to 1e-2. What a motion makes of an earlier error is not in it. Below 1e-11 rounding has a say.
+    /// [`Integrator::Reference`] only: the permitted error of positions per second of simulated time, relative to the strand's
+    /// length; 1e-12 to 1e-2. It excludes the growth of earlier errors by the motion. Below 1e-11 rounding dominates.
     pub reference_tolerance: f64,
-    /// How often a strand's step may be halved where it does not converge, turns non-finite or errs by more than `error_tolerance`; only
-    /// that strand takes it in parts. Strands that touches hold do so, with those that hang together with them, where the hard models leave them
-    /// deep; twenty of them and fewer whenever they do not converge. More than twenty take halves only. 0 to 10; 0: never. [`Integrator::ImplicitEuler`] and [`Integrator::SecondOrder`] only.
+    /// How often a strand's step may be halved where it does not converge, turns non-finite or errs by more than
+    /// `error_tolerance`; only that strand takes substeps. Strands in contact do so, together with their island, where hard
+    /// contact leaves them deep, and islands of at most twenty strands whenever they do not converge. Larger islands take halves
+    /// only. 0 to 10; 0 for never. [`Integrator::ImplicitEuler`] and [`Integrator::SecondOrder`] only.
     pub max_subdivisions: u32,
-    /// The error that a step, or a part of it, may add to a point's position before it is halved, in units of the strand's length; at
-    /// least 0. 0: errors are not looked at, and cost nothing. It is estimated from the step itself. Where the halvings do not
-    /// suffice the step is taken nevertheless, and [`StrandOutcome::error`](super::StrandOutcome::error) tells.
+    /// The error that a step or substep may add to a point's position before it is halved, relative to the strand's length; at
+    /// least 0. At 0 no error is estimated, at no cost. The estimate comes from the step itself. Where the halvings are not
+    /// enough the step is taken nevertheless, and [`StrandOutcome::error`](super::StrandOutcome::error) gives its error.
     pub error_tolerance: f64,
-    /// The precision of the step's arithmetic. [`Precision::F32`] is for [`LinearSolver::LinearTime`] and not for
-    /// [`Integrator::Reference`]; what it is good for is in `docs/theory/lanes.md`. States are kept in f64 either way.
+    /// The precision of the step's arithmetic. [`Precision::F32`] works with [`LinearSolver::LinearTime`] and not with
+    /// [`Integrator::Reference`]; `docs/theory/lanes.md` says what it is good for. States are kept in f64 either way.
     pub precision: Precision,
-    /// What the integrals along an element (inertia, drag, weight) may err by, relative; 1e-12 to 1e-2. It decides how many quadrature
-    /// points the elements of a strand get, by the most turned of them, and with that time and memory: `docs/theory/mathematics.md` has the
-    /// table. No rule has more than 128 points: beyond a turn of about 200 rad the tolerance is missed, and
-    /// [`Solver::quadrature`](crate::solver::Solver::quadrature) tells by how much. [`Integrator::Reference`] uses finer rules of its own.
+    /// Relative tolerance of the integrals along an element (inertia, drag, weight), 1e-12 to 1e-2. With the most turned element
+    /// it decides how many quadrature points the elements of a strand get, and so time and memory: `docs/theory/mathematics.md`
+    /// has the table. No rule has more than 128 points: beyond a turn of about 200 rad the tolerance cannot be met, and
+    /// [`Solver::quadrature`](crate::solver::Solver::quadrature) gives the error. [`Integrator::Reference`] uses finer rules of
+    /// its own.
     pub quadrature_tolerance: f64,
 }
 
@@ -119,12 +125,12 @@ impl Default for StepOptions {
 }
 
 impl StepOptions {
-    /// Whether the linear systems are solved by elimination.
+    /// Whether elimination solves the linear systems.
     pub fn is_linear_time(&self) -> bool {
         self.linear_solver == LinearSolver::LinearTime
     }
 
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a value out of range.

@@ -1,4 +1,4 @@
-//! Which lanes strands go into: by precision, by the instructions at hand, and by how many there are.
+//! The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
 
 use super::members::Members;
 use super::scratch::{Bench, Scratch};
@@ -8,7 +8,7 @@ use super::{Setting, StrandOutcome, keep, subdivision};
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::lanes::InstructionSet;
 
-/// How many strands are best taken at a time.
+/// The best number of strands per pack.
 pub fn width(precision: Precision, set: InstructionSet) -> usize {
     let f64_lanes = match set {
         InstructionSet::Scalar => return 1,
@@ -22,9 +22,10 @@ pub fn width(precision: Precision, set: InstructionSet) -> usize {
     }
 }
 
-/// Takes strands of one [`Kind`](super::members::Kind), at least two and at most [`width`], none of which goes in parts from the start,
-/// through a step of `h` seconds in one piece, side by side; each as [`super::take`] would, to the bit. The end is made the state of those
-/// that it serves, and of those that may not be subdivided; the others are as they were, for [`super::finish`].
+/// Takes strands with one [pack key](super::members::Kind), at least two and at most [`width`], through a step of `h` seconds in
+/// one piece, side by side; none may start with substeps. Each strand gets the same bits as from [`super::take`]. An acceptable
+/// end, or that of a strand that may not be subdivided, becomes its state; the other strands stay unchanged for
+/// [`super::finish`].
 pub fn take(
     members: &mut dyn Members,
     setting: &Setting,
@@ -38,7 +39,7 @@ pub fn take(
     // Registers of one width only.
     #[cfg(any(target_arch = "aarch64", target_arch = "wasm32"))]
     let _ = set;
-    // The narrowest registers that hold all: a wide instruction costs more than a narrow one.
+    // The narrowest registers that hold all strands: a wide instruction costs more than a narrow one.
     #[cfg(target_arch = "x86_64")]
     match (setting.options.precision, set) {
         (Precision::F64, InstructionSet::Avx512) if count > 4 => in_lanes(members, setting, h, &mut scratch.f64x8, rule),

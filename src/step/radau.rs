@@ -1,5 +1,7 @@
-//! Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t). The accelerations of the stages are the
-//! unknowns and M is never inverted: a curvature without inertia (twist of a straight strand) is simply where its equation puts it.
+//! Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
+//!
+//! The unknowns are the stages' accelerations, and M is never inverted: a curvature without inertia (twist of a straight strand)
+//! simply follows its equation.
 
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
@@ -17,18 +19,18 @@ const A: [[f64; STAGES]; STAGES] = [
 const TIMES: [f64; STAGES] = [(4.0 - S6) / 10.0, (4.0 + S6) / 10.0, 1.0];
 /// The classical order.
 pub const ORDER: i32 = 5;
-/// Below this change in an iteration (in the measure that `Step::solve` explains) an iteration that no longer contracts has met rounding.
+/// An iteration that no longer contracts and changes by less than this (in the measure of `Step::solve`) has reached rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// An iteration that contracts by less gets the derivatives of the stages where they are, instead of those of the step's start.
+/// An iteration that contracts more slowly gets the stages' own derivatives instead of those at the start of the step.
 const SLOW: f64 = 0.1;
 
-/// A² entry.
+/// An entry of A².
 fn squared(i: usize, j: usize) -> f64 {
     (0..STAGES).map(|k| A[i][k] * A[k][j]).sum()
 }
 
-/// Where a strand is and how it moves, in curvatures.
+/// A strand's state of motion, in curvatures.
 #[derive(Debug, Clone)]
 pub struct Motion {
     /// q.
@@ -39,7 +41,7 @@ pub struct Motion {
     pub accelerations: Rows,
 }
 
-/// Newton's matrix for stages that have derivatives each of their own.
+/// Newton's matrix for stages with derivatives of their own.
 fn factorise(derivatives: [&Derivatives; STAGES], h: f64) -> PartialPivLu<f64> {
     let size = derivatives[0].inertia.nrows();
     let matrix = Mat::from_fn(STAGES * size, STAGES * size, |row, column| {
@@ -51,7 +53,7 @@ fn factorise(derivatives: [&Derivatives; STAGES], h: f64) -> PartialPivLu<f64> {
     matrix.partial_piv_lu()
 }
 
-/// The factorised matrix of steps of one size.
+/// The factorised matrix for steps of one size.
 pub struct Step {
     h: f64,
     factor: PartialPivLu<f64>,
@@ -61,7 +63,7 @@ pub struct Step {
 pub struct Solved {
     /// Newton iterations.
     pub iterations: u32,
-    /// The end, if the iteration converged.
+    /// The end of the step, if the iteration converged.
     pub motion: Option<Motion>,
     /// The last iteration's change, rad.
     pub residual: f64,
@@ -73,8 +75,8 @@ impl Step {
         Self { h, factor: factorise([derivatives; STAGES], h) }
     }
 
-    /// Takes `from` from `t` a step on. Converged when the sum of the elements' turns in an iteration, and of their changes of turning
-    /// rate times `time_scale`, is below `tolerance` (rad), or at rounding.
+    /// Advances `from` by one step from time `t`. Converged when the sum of the elements' turns in an iteration, and of the
+    /// changes of their turning rates times `time_scale`, is below `tolerance` (rad), or at rounding.
     pub fn solve(
         &self,
         dynamics: &Dynamics,
@@ -120,7 +122,7 @@ impl Step {
             solved.residual = sum;
             let measure = weigh * sum;
             let contraction = measure / last;
-            // What is left after this iteration, as a geometric series; the first one tells nothing.
+            // The remaining error after this iteration, as a geometric series; the first iteration gives no estimate.
             let left = if iteration > 1 && contraction < 0.9 { measure * contraction / (1.0 - contraction) } else { measure };
             let at_rounding = contraction > 0.3 && measure <= ROUNDING * weigh.max(1.0);
             if left.min(measure) <= tolerance || at_rounding {

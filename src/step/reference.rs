@@ -1,8 +1,11 @@
-//! The reference integrator: Radau IIA of order 5 in the curvatures with step doubling. Every step is taken once whole and once in two
-//! halves; the difference tells the error of the halves, which are kept, and the size of the next step.
+//! The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //!
-//! The error is measured at the quadrature points, in units of the strand's length: how far positions are off, plus how far the
-//! velocities being off would carry them in the strand's own time. A step of h seconds may err by `reference_tolerance`·h, and by rounding.
+//! Every step is taken once whole and once in two halves. The difference estimates the error of the halves, which are kept, and
+//! sets the size of the next step.
+//!
+//! The error is measured at the quadrature points relative to the strand's length: the error of positions, plus the displacement
+//! that the error of velocities would cause in the strand's own time. A step of h seconds may err by `reference_tolerance`·h, and
+//! by rounding.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -22,29 +25,29 @@ use crate::math::vector::Vec3;
 use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
 
-/// Attempts within one call before the strand is given up: what is left of the call is taken by implicit Euler and reported.
+/// Attempts within one call before the strand is given up: implicit Euler takes the rest of the call, and the report says so.
 const MAX_ATTEMPTS: u32 = 100_000;
-/// Rejections in a row before the same: each makes the step smaller by a half at least.
+/// Rejections in a row before the same: each at least halves the step.
 const MAX_REJECTIONS: u32 = 60;
-/// What rounding puts into the position of a point, in units of the length: no step is asked to err by less.
+/// Rounding error of a point's position, relative to the length: no step needs to err by less.
 const ROUNDING: f64 = 2e-15;
-/// Newton's error in units of the error allowed.
-const NEWTON_SHARE: f64 = 1e-2;
-/// What a step is made smaller by than the error asks for.
+/// Newton's error as a fraction of the permitted error.
+const NEWTON_FRACTION: f64 = 1e-2;
+/// Safety factor on the next step's size.
 const SAFETY: f64 = 0.8;
-/// Bounds of the change of size from step to step.
+/// Bounds on the change of size from step to step.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 4.0;
-/// The longest time, s, over which a velocity's error is counted.
+/// The longest time, s, over which an error of velocity counts.
 const LONGEST_TIME: f64 = 1.0;
-/// Times over which it is, the strand's own and shorter ones: 4¹² spans the modes of any hair.
+/// Times to try, from the strand's own downwards: 4¹² spans the modes of any hair.
 const TIMES_TRIED: u32 = 12;
-/// An attempt's elements may turn by so much more than at its start, and by so many radians.
+/// An attempt's elements may turn by this factor more than at its start, plus as many radians.
 const FINE_MARGIN: f64 = 1.3;
-/// A root's velocity that differs by this much of the speeds at hand has jumped.
+/// A root's velocity jumped if it differs by this fraction of the velocities involved.
 const JUMP: f64 = 1e-8;
 
-/// Takes one strand through `h` seconds; see [`super::take`].
+/// Takes one strand through `h` seconds: see [`super::take`].
 pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, scratch: &mut RuleScratch) -> StrandOutcome {
     let Setting { surroundings, options, rules } = *setting;
     let One { model, root_at, .. } = *one;
@@ -58,29 +61,29 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
         attempts: 0,
     };
     let mut motion = start(model, state);
-    let mut known = Known {
+    let mut observed = Observed {
         velocities: state.velocities.clone(),
         rule: state.rule,
         linear: state.root_velocity.into(),
         angular: state.root_angular_velocity.into(),
     };
     let Some(pieces) = RootPath::pieces(root_at, h) else {
-        // A root that jumps about is not to be followed to any tolerance.
+        // No tolerance can follow a root whose path is nowhere smooth.
         let outcome = implicit_euler(setting, one, h, bench, scratch);
         return StrandOutcome { converged: false, ..outcome };
     };
     for path in &pieces {
-        run.meet_jump(path, &mut motion, &known);
+        run.apply_jump(path, &mut motion, &observed);
         let end = run.along(path, &mut motion);
         if run.outcome.quarantined {
             return run.outcome;
         }
-        let rule = rules.next_for_angle(known.rule, model.largest_angle(&motion.curvatures));
+        let rule = rules.next_for_angle(observed.rule, model.largest_angle(&motion.curvatures));
         let dynamics = Dynamics { model, rule: rules.rule(rule), surroundings, path };
-        known = run.know(&dynamics, rule, &motion, end);
+        observed = run.observe(&dynamics, rule, &motion, end);
         if end < path.end {
-            // The best that is left: the strand as far as it came, and a forgiving step over the rest.
-            publish(state, &motion, &known, root_at(end));
+            // The best remaining choice: keep the strand as far as it came, and take a robust step over the rest.
+            publish(state, &motion, &observed, root_at(end));
             let rest = |seconds: f64| root_at(end + seconds);
             let last = implicit_euler(setting, &mut One { model, state, root_at: &rest }, h - end, bench, scratch);
             run.outcome.iterations += last.iterations;
@@ -88,7 +91,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
             return run.outcome;
         }
     }
-    publish(state, &motion, &known, root_at(h));
+    publish(state, &motion, &observed, root_at(h));
     if let Some(path) = pieces.last() {
         let dynamics = Dynamics { model, rule: rules.rule(state.rule), surroundings, path };
         let (kinematics, forces) = dynamics.point_forces(path.end, &motion.curvatures, &motion.rates, &motion.accelerations);
@@ -97,7 +100,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
     run.outcome
 }
 
-/// A forgiving step; a state that is not finite is not kept.
+/// A robust step; a state that is not finite is not kept.
 fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, rule: &mut RuleScratch) -> StrandOutcome {
     let outcome = f64::attempt(one, setting, h, bench);
     if !outcome.quarantined {
@@ -106,15 +109,15 @@ fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f6
     outcome
 }
 
-/// What a strand was last seen to do.
-struct Known {
+/// What is known of the strand at the end of a piece.
+struct Observed {
     velocities: Vec<Vec3<f64>>,
     rule: usize,
     linear: Vec3<f64>,
     angular: Vec3<f64>,
 }
 
-/// The strand at the call's start; frozen curvatures are natural and do not move.
+/// The strand at the start of the call; frozen curvatures are natural and do not move.
 fn start(model: &StrandModel, state: &StrandState) -> Motion {
     let mut motion = Motion {
         curvatures: state.curvatures.clone(),
@@ -130,15 +133,15 @@ fn start(model: &StrandModel, state: &StrandState) -> Motion {
     motion
 }
 
-/// Makes a motion the strand's state.
-fn publish(state: &mut StrandState, motion: &Motion, known: &Known, root: Frame) {
+/// Writes a motion into the strand's state.
+fn publish(state: &mut StrandState, motion: &Motion, observed: &Observed, root: Frame) {
     state.curvatures.clone_from(&motion.curvatures);
     state.rates.clone_from(&motion.rates);
-    state.velocities.clone_from(&known.velocities);
-    state.rule = known.rule;
+    state.velocities.clone_from(&observed.velocities);
+    state.rule = observed.rule;
     state.root = root;
-    state.root_velocity = known.linear.into();
-    state.root_angular_velocity = known.angular.into();
+    state.root_velocity = observed.linear.into();
+    state.root_angular_velocity = observed.angular.into();
 }
 
 /// One call.
@@ -152,7 +155,7 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Goes along a smooth piece as far as the tolerance can be met; gives back how far that is.
+    /// Advances along a smooth piece as far as the tolerance allows; returns how far that is.
     fn along(&mut self, path: &RootPath, motion: &mut Motion) -> f64 {
         let time_scale = self.time_scale();
         let mut t = path.start;
@@ -174,7 +177,7 @@ impl Run<'_> {
                     if ratio <= 1.0 {
                         *motion = next;
                         t = if last { path.end } else { t + h };
-                        // Right after a rejection a step that grows is likely to be rejected again.
+                        // Right after a rejection a larger step is likely to fail again.
                         wanted = h * if rejections > 0 { factor.min(1.0) } else { factor };
                         rejections = 0;
                         continue;
@@ -192,7 +195,7 @@ impl Run<'_> {
         path.end
     }
 
-    /// One step in two halves, and its error by the whole step, in units of the length.
+    /// One step in two halves, and its error by the whole step, relative to the length.
     fn doubled(
         &mut self,
         dynamics: &Dynamics,
@@ -203,7 +206,7 @@ impl Run<'_> {
         time_scale: f64,
     ) -> Option<(Motion, f64)> {
         let derivatives = dynamics.derivatives(t, &from.curvatures, &from.rates, &from.accelerations);
-        let newton_tolerance = NEWTON_SHARE * allowed;
+        let newton_tolerance = NEWTON_FRACTION * allowed;
         let mut solve = |step: &Step, from: &Motion, t: f64| {
             let solved = step.solve(dynamics, from, t, newton_tolerance, time_scale, self.options.max_iterations);
             self.outcome.iterations += solved.iterations;
@@ -215,16 +218,17 @@ impl Run<'_> {
         let middle = solve(&half, from, t)?;
         let end = solve(&half, &middle, t + 0.5 * h)?;
         let distance = self.distance(dynamics, &derivatives.inertia, t + h, &whole, &end, time_scale);
-        // The halves are 2⁵ times nearer to the truth than the whole.
+        // The halves are 2⁵ times closer to the truth than the whole.
         let error = distance / (2.0_f64.powi(radau::ORDER) - 1.0);
         error.is_finite().then_some((end, error))
     }
 
-    /// How far two motions are apart, in units of the length: as they are, and where the difference of their rates would carry them.
+    /// The distance of two motions relative to the length: that of their positions, and the displacement that the difference of
+    /// their rates would cause.
     ///
-    /// A mode of frequency Ω that is off by a velocity v goes off by v/Ω, one that friction holds by less. Without taking modes apart: an
-    /// implicit Euler step of τ turns v into vτ/(1 + Ω²τ²), whose largest value over τ is v/2Ω. The times tried go down from the strand's
-    /// own by factors of 4.
+    /// A mode of frequency Ω with a velocity error v goes off by v/Ω, one that friction holds by less. An implicit Euler step of
+    /// τ gives this without a modal analysis: it turns v into vτ/(1 + Ω²τ²), whose largest value over τ is v/2Ω. The times tried
+    /// go down from the strand's own by factors of 4.
     fn distance(&self, dynamics: &Dynamics, inertia: &Mat<f64>, t: f64, one: &Motion, other: &Motion, time_scale: f64) -> f64 {
         let (kinematics, _) = dynamics.kinematics(t, &one.curvatures);
         let (second, _) = dynamics.kinematics(t, &other.curvatures);
@@ -246,11 +250,11 @@ impl Run<'_> {
                 matrix[(i, i)] += time * (self.model.dissipation[axis] + time * self.model.stiffness[axis]) / lengths[element];
             }
             let Ok(factor) = matrix.llt(Side::Lower) else { return f64::NAN };
-            let way = factor.solve(&momenta);
+            let response = factor.solve(&momenta);
             let mut change = vec![[0.0; 3]; lengths.len()];
             for i in 0..size {
                 let (element, axis) = dynamics.freedom(i);
-                change[element][axis] = time * way[(i, 0)] / lengths[element];
+                change[element][axis] = time * response[(i, 0)] / lengths[element];
             }
             velocity::for_each_point(&kinematics, &change, &RootMotion::still(), |p, moved, _| {
                 carried[p] = carried[p].max(moved.norm_squared().sqrt());
@@ -260,13 +264,13 @@ impl Run<'_> {
         let mut worst = 0.0_f64;
         for (apart, carried) in apart.iter_mut().zip(&carried) {
             *apart += carried;
-            // A number that is not one must not be lost in max().
+            // max() must not hide a NaN.
             worst = if *apart <= worst { worst } else { *apart };
         }
         worst / self.model.length()
     }
 
-    /// The strand's own time: how long a wrong velocity goes on before stiffness or weight turn it round.
+    /// The strand's own time: how long a wrong velocity persists before stiffness or weight reverses it.
     fn time_scale(&self) -> f64 {
         let length = self.model.length();
         let stiffness = self.model.stiffness[1].min(self.model.stiffness[2]);
@@ -275,25 +279,26 @@ impl Run<'_> {
         (1.0 / squared_frequency.sqrt()).min(LONGEST_TIME)
     }
 
-    /// A rule whose error stays below any tolerance, whatever the options say of quadrature.
+    /// A rule whose error stays below any tolerance, whatever the quadrature option.
     fn fine_rule(&self, curvatures: &Rows) -> usize {
         let angle = self.model.largest_angle(curvatures);
         self.rules.for_angle_within(FINE_MARGIN * angle + FINE_MARGIN - 1.0, quadrature::TIGHTEST)
     }
 
-    /// Where the root's velocity jumps, the strand is struck through its clamp: rates change so that no generalised momentum does.
-    fn meet_jump(&self, path: &RootPath, motion: &mut Motion, known: &Known) {
-        let dynamics = Dynamics { model: self.model, rule: self.rules.rule(known.rule), surroundings: self.surroundings, path };
+    /// Where the root's velocity jumps, the clamp strikes the strand: the rates change so that every generalised momentum stays.
+    fn apply_jump(&self, path: &RootPath, motion: &mut Motion, observed: &Observed) {
+        let dynamics =
+            Dynamics { model: self.model, rule: self.rules.rule(observed.rule), surroundings: self.surroundings, path };
         let (kinematics, root) = dynamics.kinematics(path.start, &motion.curvatures);
         let length = self.model.length();
         let speed = |v: Vec3<f64>| v.norm_squared().sqrt();
-        let jump = speed(root.velocity - known.linear) + length * speed(root.angular_velocity - known.angular);
-        let fastest = known.velocities.iter().map(|v| speed(*v)).fold(0.0, f64::max);
-        let present = speed(root.velocity) + length * speed(root.angular_velocity) + speed(known.linear);
+        let jump = speed(root.velocity - observed.linear) + length * speed(root.angular_velocity - observed.angular);
+        let fastest = observed.velocities.iter().map(|v| speed(*v)).fold(0.0, f64::max);
+        let present = speed(root.velocity) + length * speed(root.angular_velocity) + speed(observed.linear);
         if jump <= JUMP * (present + fastest + length) {
             return;
         }
-        let mut change = known.velocities.clone();
+        let mut change = observed.velocities.clone();
         let unmoved = RootMotion { acceleration: Vec3::zero(), angular_acceleration: Vec3::zero(), ..root };
         velocity::for_each_point(&kinematics, &motion.rates, &unmoved, |p, v, _| change[p] -= v);
         let momenta = dynamics.point_momenta(change.into_iter());
@@ -306,7 +311,7 @@ impl Run<'_> {
             self.model.stiffness[axis] / self.model.lengths[element]
         };
         let stiffness_trace: f64 = (0..size).map(stiffness).sum();
-        // What has no inertia has no momentum: a trace of stiffness keeps its rate as it is.
+        // A mode without inertia has no momentum: a trace of stiffness keeps its rate.
         for i in 0..size {
             matrix[(i, i)] += 1e-14 * trace * stiffness(i) / stiffness_trace;
         }
@@ -322,11 +327,11 @@ impl Run<'_> {
         motion.accelerations.fill([0.0; 3]);
     }
 
-    /// What can be seen of the strand at the end of a piece.
-    fn know(&self, dynamics: &Dynamics, rule: usize, motion: &Motion, t: f64) -> Known {
+    /// The observable state of the strand at the end of a piece.
+    fn observe(&self, dynamics: &Dynamics, rule: usize, motion: &Motion, t: f64) -> Observed {
         let (kinematics, root) = dynamics.kinematics(t, &motion.curvatures);
         let mut velocities = vec![Vec3::zero(); kinematics.points.len()];
         velocity::for_each_point(&kinematics, &motion.rates, &root, |p, v, _| velocities[p] = v);
-        Known { velocities, rule, linear: root.velocity, angular: root.angular_velocity }
+        Observed { velocities, rule, linear: root.velocity, angular: root.angular_velocity }
     }
 }

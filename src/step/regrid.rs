@@ -1,10 +1,12 @@
-//! A strand taken to other elements while it moves: more of them near the eye, fewer far away (`docs/theory/adaptive.md`).
+//! Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away
+//! (`docs/theory/adaptive.md`).
 //!
-//! Where every old border between elements is a new one too, each new element is a piece of an old one: the same helix, the same rates;
-//! curve and velocities stay to rounding. Otherwise curvatures start from the mean strain of the old elements that a new one overlaps and
-//! are fitted: least squares of the distance to the old curve at equal arclength, weighed against elastic energy (Gauss and Newton's method
-//! on the linear-time solve). The points' velocities, a field of its own, are the nearest polynomials on the new elements:
-//! momentum stays, kinetic energy does not grow. Rates are those whose velocities are nearest to them by mass.
+//! Where every old border between elements is also a new one, each new element is a piece of an old one: the same helix with the
+//! same rates, so curve and velocities stay the same to rounding. Otherwise the curvatures start from the mean strain of the old
+//! elements that a new one overlaps. A fit then minimises the squared distance to the old curve at equal arclength, weighed
+//! against elastic energy (the Gauss–Newton method on the linear-time solve). The points' velocities, a field of their own,
+//! become the nearest polynomials on the new elements: momentum stays, and kinetic energy does not grow. The rates are those
+//! whose velocities are nearest to them by mass.
 
 use super::state::{Earlier, Past, StrandState, rotation_matrix};
 use crate::chain::elimination::Elimination;
@@ -16,7 +18,7 @@ use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
 
-/// How near the strand on its new elements is to the one on the old.
+/// How closely the strand on its new elements matches the old one.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Regrid {
     /// Whether the curve and its velocities are the same to rounding.
@@ -27,24 +29,23 @@ pub struct Regrid {
     pub max_distance: f64,
 }
 
-/// Borders that differ by less than this share of the shorter element are the same.
+/// Borders that differ by less than this fraction of the shorter element count as equal.
 const SAME_BORDER: f64 = 1e-9;
-/// Natural curvatures that differ by less than this share are the same: means round.
+/// Natural curvatures that differ by less than this fraction count as equal, because means round.
 const SAME_CURVATURE: f64 = 1e-12;
-/// s. The fit minimises ½ ρS |r − r_old|²/T² + ½ EI (κ − κ_start)²: distance counts against elastic energy as in a step of T. Without the
-/// latter, elastic energy grew up to tenfold where the distance fell by a few percent, and the strand sprang apart; with 3 ms it grows by a
-/// quarter, and the distance is at most an eighth above the least (measured in `docs/theory/adaptive.md`).
+/// s. The fit minimises ½ ρS |r − r_old|²/T² + ½ EI (κ − κ_start)²: distance counts against elastic energy as in a step of T.
+/// Without the elastic term the strand could gain energy and spring apart (`docs/theory/adaptive.md`).
 const ELASTIC_TIME: f64 = 3e-3;
-/// Beside it, for strands that are all but limp, both without dimension (lengths in L): what the distance does not see stays.
+/// A ridge for nearly limp strands, dimensionless (lengths in L): keeps what the distance does not determine.
 const RIDGE: f64 = 1e-9;
 /// The same for rates.
 const RATE_RIDGE: f64 = 1e-10;
-/// Gauss–Newton iterations at most.
+/// Largest number of Gauss–Newton iterations.
 const MAX_ITERATIONS: usize = 40;
-/// Points of the rule of a fit: it integrates across borders of the old elements, where the curve is not smooth.
+/// The turn that decides the fit's rule: it integrates across borders of the old elements, where the curve is not smooth.
 const FIT_ANGLE: f64 = 15.0;
 
-/// The old strand, to be asked for its points.
+/// The old strand, for queries of its points.
 struct Old<'a> {
     state: &'a StrandState,
     rules: &'a Rules,
@@ -66,7 +67,7 @@ pub fn borders(lengths: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The mean over each of the new elements of rows that are constant on each of the old.
+/// The mean over each new element of rows that are constant on each old one.
 pub fn means(old: &[f64], rows: &[[f64; 3]], new: &[f64]) -> Vec<[f64; 3]> {
     let mut first = 0;
     new.windows(2)
@@ -94,12 +95,12 @@ pub fn means(old: &[f64], rows: &[[f64; 3]], new: &[f64]) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Whether border `k` lies at `place` or before it, to rounding.
+/// Whether border `k` is at `place` or before it, to rounding.
 fn same_or_before(borders: &[f64], k: usize, place: f64) -> bool {
     borders[k] <= place + slack(borders, k)
 }
 
-/// Whether border `k` lies at `place` or after it, to rounding.
+/// Whether border `k` is at `place` or after it, to rounding.
 fn same_or_after(borders: &[f64], k: usize, place: f64) -> bool {
     borders[k] >= place - slack(borders, k)
 }
@@ -110,7 +111,7 @@ fn slack(borders: &[f64], k: usize) -> f64 {
     SAME_BORDER * before.min(after)
 }
 
-/// Whether every border of the old elements is one of the new.
+/// Whether every border of the old elements is also one of the new.
 fn is_refinement(old: &[f64], new: &[f64]) -> bool {
     let mut k = 0;
     (1..old.len() - 1).all(|border| {
@@ -133,7 +134,7 @@ impl Old<'_> {
         self.kinematics.elements[index].point(arclength - self.borders[index]).position
     }
 
-    /// The interpolated velocity; on `index` it may be asked for a little beyond its ends.
+    /// The interpolated velocity on element `index`, possibly a little beyond its ends.
     fn velocity_on(&mut self, index: usize, arclength: f64, velocities: &[Vec3<f64>]) -> Vec3<f64> {
         let rule = self.rules.rule(self.state.rule);
         let length = self.borders[index + 1] - self.borders[index];
@@ -146,7 +147,7 @@ impl Old<'_> {
         self.velocity_on(self.element_at(arclength), arclength, &self.state.velocities)
     }
 
-    /// How the root moves by the field of velocities: it is what a step made of the root's way, where the state has its mean.
+    /// The root's motion in the field of velocities. The state has only its mean over the step.
     fn root_motion(&mut self) -> RootMotion {
         let step = 1e-4 * self.borders[1];
         let velocities = &self.state.velocities;
@@ -165,17 +166,17 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
     kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rules.rule(state.rule));
     let mut old = Old { state, rules, kinematics, borders: old_borders, coefficients: Vec::new() };
 
-    // Strain stays, so that detail of the natural shape that comes back with smaller elements brings no energy.
+    // Strain is preserved, so that natural detail that returns with smaller elements brings no energy.
     let strain: Vec<[f64; 3]> = difference(&state.curvatures, &model.natural);
     let mut curvatures = sum(&new.natural, &means(&old.borders, &strain, &new_borders), new);
     let rates = means(&old.borders, &state.rates, &new_borders);
-    // Root, wrench and whatever else does not depend on elements stay.
+    // The root, the wrench and whatever else does not depend on elements stay the same.
     let mut out = StrandState { curvatures: Vec::new(), rates, velocities: Vec::new(), past: Past::default(), ..state.clone() };
     let carried = means(&old.borders, &model.natural, &new_borders);
     let pairs = || new.natural.iter().flatten().zip(carried.iter().flatten());
     let same = pairs().all(|(a, b)| (a - b).abs() <= SAME_CURVATURE * (a.abs() + b.abs()));
     if same && is_refinement(&old.borders, &new_borders) {
-        // Not natural + strain, which rounds. The rule does for the smaller elements too, and holds the old velocities.
+        // Not natural + strain, which rounds. The old rule suits the smaller elements too, and can represent the old velocities.
         out.curvatures = means(&old.borders, &state.curvatures, &new_borders);
         out.velocities = resampled(&mut old, &new_borders, rules, out.rule, &state.velocities);
         if state.past.step > 0.0 {
@@ -208,10 +209,10 @@ fn sum(natural: &[[f64; 3]], strain: &[[f64; 3]], model: &StrandModel) -> Vec<[f
     natural.iter().zip(strain).map(|(n, s)| std::array::from_fn(|axis| n[axis] + free(axis) * s[axis])).collect()
 }
 
-/// Velocities at the nodes of the new elements: on each the polynomial that is nearest to the old field in the mean square, so that
-/// momentum stays, and kinetic energy does not grow.
+/// Velocities at the nodes of the new elements: on each the polynomial nearest to the old field in the mean square, so that
+/// momentum stays and kinetic energy does not grow.
 fn resampled(old: &mut Old, borders: &[f64], rules: &Rules, rule: usize, velocities: &[Vec3<f64>]) -> Vec<Vec3<f64>> {
-    // The old field is a polynomial on each of its elements: the finer rule integrates its product with one of the new exactly.
+    // The old field is a polynomial on each of its elements: the finer rule integrates its product with a new one exactly.
     let pieces = rules.rule(rule.max(old.state.rule));
     let rule = rules.rule(rule);
     let mut out = vec![Vec3::zero(); (borders.len() - 1) * rule.len()];
@@ -221,17 +222,17 @@ fn resampled(old: &mut Old, borders: &[f64], rules: &Rules, rule: usize, velocit
         let mut index = old.element_at(left + 1e-6 * (right - left));
         loop {
             let (from, to) = (left.max(old.borders[index]), right.min(old.borders[index + 1]));
-            // The last piece goes to the end, which rounding may have put a little beyond.
+            // The last piece extends to the end, which rounding may have put a little beyond.
             let is_last = index + 2 >= old.borders.len() || old.borders[index + 1] >= right - 1e-9 * (right - left);
             let to = if is_last { right } else { to };
             for (node, weight) in pieces.nodes.iter().zip(&pieces.weights) {
                 let arclength = from + node * (to - from);
-                let share = weight * (to - from) / (right - left);
+                let fraction = weight * (to - from) / (right - left);
                 let velocity = old.velocity_on(index, arclength, velocities);
                 // The Lagrange polynomials of Gauss' nodes are orthogonal, and the integrals of their squares are the weights.
                 rule.interpolation((arclength - left) / (right - left), &mut basis);
                 for (k, value) in basis.iter().enumerate() {
-                    out[element * rule.len() + k] += velocity.scale(share * value / rule.weights[k]);
+                    out[element * rule.len() + k] += velocity.scale(fraction * value / rule.weights[k]);
                 }
             }
             if is_last {
@@ -243,7 +244,7 @@ fn resampled(old: &mut Old, borders: &[f64], rules: &Rules, rule: usize, velocit
     out
 }
 
-/// The rule for integrals over a new element whose integrand is an old strand's.
+/// The rule for integrals over a new element of an old strand's integrand.
 fn fit_rule(model: &StrandModel, curvatures: &[[f64; 3]], rules: &Rules) -> usize {
     rules.for_angle(FIT_ANGLE.max(1.1 * model.largest_angle(curvatures)))
 }
@@ -322,7 +323,7 @@ fn fit(old: &Old, model: &StrandModel, borders: &[f64], root: &Frame, curvatures
     }
 }
 
-/// The rates whose velocities are nearest to the old ones, by mass.
+/// The rates whose velocities are nearest to the old ones by mass.
 fn project(old: &mut Old, model: &StrandModel, borders: &[f64], out: &mut StrandState, rules: &Rules) {
     let rule = rules.rule(fit_rule(model, &out.curvatures, rules));
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
@@ -371,12 +372,12 @@ fn distances(old: &Old, model: &StrandModel, out: &StrandState, borders: &[f64],
     Regrid { exact: false, rms_distance: (sum / model.length()).sqrt(), max_distance: largest.sqrt() }
 }
 
-/// Borders of `count` elements that keep a grading: arclength as a piecewise linear function of the element's number in `lengths`. A
-/// multiple of their number splits each into equal parts, a divisor joins neighbours.
+/// Borders of `count` elements with the same grading: arclength as a piecewise linear function of the element's number in
+/// `lengths`. A multiple of their number splits each equally, a divisor joins neighbours.
 pub fn graded(lengths: &[f64], count: usize) -> Vec<f64> {
     let from = borders(lengths);
     let place = |k: usize| {
-        // k · N / count in whole numbers, so that borders that coincide do so to the bit.
+        // k · N / count in whole numbers, so that coincident borders agree to the bit.
         let product = k as u128 * lengths.len() as u128;
         let (whole, rest) = ((product / count as u128) as usize, product % count as u128);
         if rest == 0 { from[whole] } else { from[whole] + lengths[whole] * (rest as f64 / count as f64) }

@@ -1,5 +1,5 @@
-//! The root's smooth way through a step with its velocities and accelerations, from poses alone: polynomials through Chebyshev's points,
-//! differentiated exactly. A way with a kink is cut at it.
+//! The root's smooth path through a step, with velocities and accelerations, from poses alone: polynomials through Chebyshev's
+//! points, differentiated exactly. A path with a kink is cut there.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -11,21 +11,21 @@ use crate::rod::velocity::RootMotion;
 
 /// Points of a polynomial.
 const POINTS: usize = 14;
-/// A polynomial may turn by this much from its start, rad.
+/// The most that a polynomial may turn from its start, rad.
 const LARGEST_TURN: f64 = 1.5;
-/// Relative error that a smooth way may leave between the points.
+/// Relative error permitted between the points of a smooth path.
 const SMOOTH: f64 = 1e-12;
-/// The shortest piece in units of the step: what is left around a kink, and passed over.
+/// The shortest piece in units of the step: a shorter rest around a kink is skipped.
 const SHORTEST: f64 = 1e-11;
-/// Polynomials tried before a way is given up.
-const MOST_CUTS: u32 = 2000;
+/// Largest number of polynomials to try.
+const MAX_CUTS: u32 = 2000;
 
 type Values = [Vector3<f64>; POINTS];
 
 /// One smooth piece.
 #[derive(Debug, Clone)]
 pub struct RootPath {
-    /// Where it starts and ends, s from the step's start.
+    /// Start, s from the start of the step.
     pub start: f64,
     /// End, s.
     pub end: f64,
@@ -62,13 +62,13 @@ fn interpolate(nodes: &[f64; POINTS], values: &Values, x: f64) -> Vector3<f64> {
     sum / total
 }
 
-/// Derivatives at the nodes, by a variable that runs over [0, `length`].
+/// Derivatives at the nodes with respect to a variable over [0, `length`].
 fn differentiate(nodes: &[f64; POINTS], values: &Values, length: f64) -> Values {
     std::array::from_fn(|i| {
         let mut sum = Vector3::zeros();
         for j in 0..POINTS {
             if i != j {
-                // Differences of values: the diagonal's rounding never shows, and a root at rest is at rest to the bit.
+                // Differences of values: the diagonal's rounding cancels, and a root at rest is at rest to the bit.
                 sum += (values[j] - values[i]) * (weight(j) / weight(i) / (nodes[i] - nodes[j]));
             }
         }
@@ -77,11 +77,10 @@ fn differentiate(nodes: &[f64; POINTS], values: &Values, length: f64) -> Values 
 }
 
 impl RootPath {
-    /// All smooth pieces from 0 to `h`, in order.
-    /// `None` for a way that is nowhere smooth.
+    /// All smooth pieces from 0 to `h`, in order. `None` for a path that is nowhere smooth.
     pub fn pieces(root_at: &dyn Fn(f64) -> Frame, h: f64) -> Option<Vec<RootPath>> {
         let mut pieces = Vec::new();
-        let mut left = MOST_CUTS;
+        let mut left = MAX_CUTS;
         Self::cut(root_at, h, 0.0, h, &mut pieces, &mut left).then_some(pieces)
     }
 
@@ -111,26 +110,26 @@ impl RootPath {
             (at.origin - frame.origin, rotation_vector(&(frame.rotation.inverse() * at.rotation)))
         };
         let samples: [_; POINTS] = nodes.map(place);
-        let way: Values = samples.map(|sample| sample.0);
+        let displacement: Values = samples.map(|sample| sample.0);
         let turn: Values = samples.map(|sample| sample.1);
         let far = |values: &Values| values.iter().map(Vector3::norm).fold(0.0, f64::max);
-        let (extent, angle) = (far(&way), far(&turn));
+        let (extent, angle) = (far(&displacement), far(&turn));
         if angle > LARGEST_TURN {
             return None;
         }
-        // Rounding of the poses, and of the times that they are asked for: a short piece late in a step knows its own time badly.
+        // Rounding of the poses and of their times: a short piece late in a step knows its own time poorly.
         let coarse = SMOOTH + 64.0 * f64::EPSILON * end / length;
         let rounding = 64.0 * f64::EPSILON * (frame.origin.norm() + extent);
         for pair in nodes.windows(2) {
             let x = 0.5 * (pair[0] + pair[1]);
             let (there, turned) = place(x);
-            let off = (interpolate(&nodes, &way, x) - there).norm();
+            let off = (interpolate(&nodes, &displacement, x) - there).norm();
             let off_turn = (interpolate(&nodes, &turn, x) - turned).norm();
             if off > coarse * extent + rounding || off_turn > coarse * angle + 64.0 * f64::EPSILON {
                 return None;
             }
         }
-        let velocity = differentiate(&nodes, &way, length);
+        let velocity = differentiate(&nodes, &displacement, length);
         let rate = differentiate(&nodes, &turn, length);
         // Angular velocity in the axes of the piece's first frame.
         let spin: Values = std::array::from_fn(|k| from_rotation_vector(turn[k]) * (right_jacobian(&turn[k]) * rate[k]));
@@ -147,7 +146,7 @@ impl RootPath {
         })
     }
 
-    /// The root's rotation and motion at `time`, s from the step's start, within the piece.
+    /// The root's rotation and motion at `time`, s from the start of the step, within the piece.
     pub fn at(&self, time: f64) -> (Matrix3<f64>, RootMotion) {
         let nodes = nodes();
         let x = (time - self.start) / (self.end - self.start);
@@ -173,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn velocities_and_accelerations_are_those_of_the_way() {
+    fn velocities_and_accelerations_are_those_of_the_path() {
         let pieces = RootPath::pieces(&swinging, 0.5).unwrap();
         assert_eq!((pieces[0].start, pieces[pieces.len() - 1].end), (0.0, 0.5));
         for piece in &pieces {
@@ -184,7 +183,7 @@ mod tests {
                 assert!((Vector3::from(motion.velocity) - exact).norm() < 1e-9);
                 let exact = Vector3::new(-9.0 * (3.0 * t).cos(), 4.0, 0.0);
                 assert!((Vector3::from(motion.acceleration) - exact).norm() < 1e-6);
-                // Angular velocity by a difference over a short way, and its rate by a difference of it.
+                // Angular velocity by a difference over a short path, and its rate by a difference of that.
                 let small = 1e-4;
                 let (before, after) = (swinging(t - small).rotation, swinging(t + small).rotation);
                 let difference = rotation_vector(&(after * before.inverse())) / (2.0 * small);

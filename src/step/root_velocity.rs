@@ -7,10 +7,10 @@ use crate::math::rotation::rotation_vector;
 
 /// Mean velocity, m/s, and mean angular velocity, rad/s, world axes, from one pose to another in `h` seconds.
 pub fn root_velocity(from: &Frame, to: &Frame, h: f64) -> (Vector3<f64>, Vector3<f64>) {
-    let way = (to.origin - from.origin) / h;
+    let velocity = (to.origin - from.origin) / h;
     if from.rotation == to.rotation {
-        return (way, Vector3::zeros());
+        return (velocity, Vector3::zeros());
     }
     let angular = from.rotation * (rotation_vector(&(from.rotation.inverse() * to.rotation)) / h);
-    (way, angular)
+    (velocity, angular)
 }

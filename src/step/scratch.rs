@@ -1,4 +1,4 @@
-//! The scratch memory of one worker for all that it may be asked to step: one workspace a type of lanes, empty until it is used.
+//! The scratch memory of one worker: a workspace for each type of lanes, empty until first used.
 
 use super::state::{RuleScratch, StrandState};
 use super::workspace::Workspace;
@@ -7,12 +7,12 @@ use crate::math::lane::Lane;
 #[allow(unused_imports, reason = "which types there are depends on the machine")]
 use crate::math::lanes;
 
-/// A workspace and the linear solve's scratch that goes with it.
+/// A workspace, and the scratch memory of its linear solve.
 #[derive(Debug, Clone)]
 pub struct Bench<T> {
-    /// The step's.
+    /// The step's workspace.
     pub workspace: Workspace<T>,
-    /// The linear solve's.
+    /// The linear solve's memory.
     pub elimination: Elimination<T>,
 }
 
@@ -22,7 +22,7 @@ impl<T: Lane> Default for Bench<T> {
     }
 }
 
-/// Scratch memory for one pack of strands at a time, of any kind.
+/// Scratch memory for one pack of strands at a time, of any pack key.
 #[derive(Debug, Default)]
 pub struct Scratch {
     /// One strand at a time, f64.
@@ -42,8 +42,8 @@ pub struct Scratch {
     pub(crate) f64x8: Option<Box<Bench<lanes::F64x8>>>,
     #[cfg(target_arch = "x86_64")]
     pub(crate) f32x16: Option<Box<Bench<lanes::F32x16>>>,
-    /// A change of rule.
+    /// For changes of quadrature rule.
     pub rule: RuleScratch,
-    /// The strand as a step that is taken in parts found it.
+    /// The strand at the start of a step that is taken in substeps.
     pub before_step: Option<StrandState>,
 }

@@ -1,4 +1,4 @@
-//! One strand at a time: the way of those that no pack takes.
+//! Steps of one strand at a time, for strands outside any pack.
 
 use super::members::One;
 use super::newton;
@@ -7,9 +7,9 @@ use super::whole::Take;
 use super::{Setting, StrandOutcome};
 use crate::math::lane::{Kernel, Lane};
 
-/// A type of one lane.
+/// A number type of one lane.
 pub trait Single: Lane {
-    /// A step in one piece; the strand is as it was, and the workspace holds the end.
+    /// Takes a step in one piece; the strand stays unchanged, and the workspace holds the result.
     fn attempt(one: &One, setting: &Setting, h: f64, bench: &mut Bench<Self>) -> StrandOutcome;
 }
 

@@ -1,11 +1,14 @@
-//! Runge–Kutta steps as minimisations (design, section 5). Stage i of step h ends where
-//! Φ(q) = Σ w ρS/(2k²) |r(q) − r̃ − k ṽ|² − Σ w ρS g·r + Σ w ν/(2k) |r − r̃ − k·wind|² + ½ (q−qⁿ)ᵀK(q−qⁿ) + (q−q̃)ᵀD(q−q̃)/(2k)
-//! is least, k = γh: implicit Euler over k from a displaced start r̃ = r_t + hΣaᵢⱼVⱼ, ṽ = v_t + hΣaᵢⱼAⱼ, q̃ = q_t + hΣaᵢⱼq̇ⱼ, where
-//! Vᵢ = (r − r̃)/k, Aᵢ = (Vᵢ − ṽ)/k, q̇ᵢ = (q − q̃)/k. r̃ need not be a shape of the strand: it is where each point is drawn to.
-//! Velocity products need no code: they are in r(q). The root moves first, rigidly; r̃ stays in the world.
+//! Runge–Kutta steps as minimisations (`docs/theory/integrators.md`).
 //!
-//! r, r̃, q and q̃ are told from the step's start, as differences: what the step changes keeps its digits however short the step is. In
-//! f32 curvatures are pairs, a rounded part, which says where the points are, and the rest, which moves them by J·rest to first order.
+//! Stage i of step h ends where Φ(q) = Σ w ρS/(2k²) |r(q) − r̃ − k ṽ|² − Σ w ρS g·r + Σ w ν/(2k) |r − r̃ − k·wind|² + ½
+//! (q−qⁿ)ᵀK(q−qⁿ) + (q−q̃)ᵀD(q−q̃)/(2k) is least, with k = γh. This is implicit Euler over k from a displaced start r̃ = r_t +
+//! hΣaᵢⱼVⱼ, ṽ = v_t + hΣaᵢⱼAⱼ, q̃ = q_t + hΣaᵢⱼq̇ⱼ, where Vᵢ = (r − r̃)/k, Aᵢ = (Vᵢ − ṽ)/k, q̇ᵢ = (q − q̃)/k. r̃ need not be a
+//! shape of the strand: each point is drawn to its own r̃. Velocity products need no code: they are in r(q). The root moves
+//! first, rigidly; r̃ stays in the world.
+//!
+//! r, r̃, q and q̃ are differences from the start of the step: what the step changes keeps its digits however short the step is.
+//! In f32 curvatures are pairs of a rounded part, which places the points, and a remainder, which moves them by J·remainder to
+//! first order.
 
 use super::context::StepContext;
 use super::iterate::{Iterate, Problem, choose_start};
@@ -24,7 +27,7 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
 use crate::rod::kinematics::{self, Kinematics};
 
-/// Takes strands through a step of `h` seconds; the workspace then holds its end. See [`super::whole::Take`].
+/// Takes strands through a step of `h` seconds; the workspace then holds the result. See [`super::whole::Take`].
 #[inline(always)]
 pub fn take<T: Lane, S: LinearSolve<T>>(tableau: &Tableau, context: &mut StepContext<'_, T, S>) {
     let (members, setting, h) = (context.members, context.setting, context.h);
@@ -36,20 +39,20 @@ pub fn take<T: Lane, S: LinearSolve<T>>(tableau: &Tableau, context: &mut StepCon
     for index in 0..tableau.stages {
         let workspace = &mut *context.workspace;
         displace(index, tableau, workspace);
-        let way = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
+        let span = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
         let step = workspace.loaded.step;
-        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(way) * step };
+        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(span) * step };
         solve_stage(times, tableau.times[index] * h, context);
     }
     if setting.options.error_tolerance > 0.0 {
         let error = local_error::of_stages(tableau, context.workspace);
-        tell_error(error, members, context.workspace, context.outcomes);
+        store_error(error, members, context.workspace, context.outcomes);
     }
 }
 
-/// One step of the two-step backward differentiation formula: one stage over k = h/a₀ from where the past two positions, velocities and
-/// curvatures point, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, ω the ratio of this step to the last,
-/// a₀ = (1+2ω)/(1+ω). Needs a past; see [`leans_on_past`].
+/// One step of the two-step backward differentiation formula: one stage over k = h/a₀ from the extrapolation of the past two
+/// positions, velocities and curvatures, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, where ω is the ratio of
+/// this step to the last and a₀ = (1+2ω)/(1+ω). Needs a history: see [`leans_on_past`].
 #[inline(always)]
 fn backward_difference<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     let (members, setting, h) = (context.members, context.setting, context.h);
@@ -58,11 +61,11 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_,
     let offset = solve_stage(times, h, context);
     if setting.options.error_tolerance > 0.0 {
         let error = local_error::of_backward_differences(ratio, offset, context.workspace);
-        tell_error(error, members, context.workspace, context.outcomes);
+        store_error(error, members, context.workspace, context.outcomes);
     }
 }
 
-/// What the stage of [`backward_difference`] starts from; its times, and ω.
+/// The start of [`backward_difference`]'s stage; returns its times, and ω.
 #[inline(always)]
 pub(super) fn start_backward_difference<T: Lane>(
     members: &dyn Members,
@@ -75,42 +78,42 @@ pub(super) fn start_backward_difference<T: Lane>(
     past_base(rule, workspace);
     base(rule, workspace);
 
-    let Workspace { loaded, iterate, stages, past_base, base_rests, past_rests, .. } = workspace;
+    let Workspace { loaded, iterate, stages, past_base, base_compensation, past_compensation, .. } = workspace;
     let (one, two) = (T::one(), T::splat(2.0));
     let ratio = loaded.step / loaded.past_step;
     let divisor = one / (one + two * ratio);
-    // (1+ω)²/(1+2ω) is one more than this: from what is now, on by `then` of the last step's change. What does not change stays exactly.
+    // (1+ω)²/(1+2ω) exceeds 1 by this: the current value plus `then` of the last step's change. What does not change stays exact.
     let then = ratio * ratio * divisor;
     let stage = &mut stages[0];
     stage.resize(loaded.lengths.len(), past_base.len());
     for (p, start) in stage.start_displacements.iter_mut().enumerate() {
-        let mut way = (iterate.point_base[p] - past_base[p]) - loaded.past_offset;
+        let mut change = (iterate.point_base[p] - past_base[p]) - loaded.past_offset;
         *start = Vec3::zero();
         if T::PRECISION == Precision::F32 {
-            way += base_rests[p] - past_rests[p];
-            *start = base_rests[p];
+            change += base_compensation[p] - past_compensation[p];
+            *start = base_compensation[p];
         }
-        *start += way.scale(then);
+        *start += change.scale(then);
     }
     for (p, start) in stage.start_velocities.iter_mut().enumerate() {
         *start = loaded.velocities[p] + (loaded.velocities[p] - loaded.past_velocities[p]).scale(then);
     }
     for (element, start) in stage.start_changes.iter_mut().enumerate() {
         for axis in 0..3 {
-            let mut way = loaded.curvatures[element][axis] - loaded.past_curvatures[element][axis];
+            let mut change = loaded.curvatures[element][axis] - loaded.past_curvatures[element][axis];
             start[axis] = T::zero();
             if T::PRECISION == Precision::F32 {
-                way += loaded.rests[element][axis] - loaded.past_rests[element][axis];
-                start[axis] = loaded.rests[element][axis];
+                change += loaded.compensation[element][axis] - loaded.past_compensation[element][axis];
+                start[axis] = loaded.compensation[element][axis];
             }
-            start[axis] += then * way;
+            start[axis] += then * change;
         }
     }
 
     (StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, way: loaded.step }, ratio)
 }
 
-/// What a step of implicit Euler starts from; its times.
+/// The start of an implicit Euler step; returns its times.
 #[inline(always)]
 pub(super) fn start_euler<T: Lane>(
     members: &dyn Members,
@@ -125,8 +128,8 @@ pub(super) fn start_euler<T: Lane>(
     StageTimes { index: 0, k: workspace.loaded.step, way: workspace.loaded.step }
 }
 
-/// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's size,
-/// has no past to lean on and goes by two stages of implicit Runge and Kutta's kind.
+/// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's
+/// size, has no history and takes two implicit Runge–Kutta stages.
 #[inline(always)]
 pub fn two_step<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     if leans_on_past(context.members.state(0), context.h) {
@@ -136,7 +139,7 @@ pub fn two_step<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>)
     }
 }
 
-/// Whether a step of `h` seconds of the second-order integrator goes by backward differences.
+/// Whether a step of `h` seconds of the second-order integrator uses backward differences.
 pub fn leans_on_past(state: &StrandState, h: f64) -> bool {
     state.past.step > 0.0 && h <= LARGEST_RATIO * (1.0 + 1e-9) * state.past.step
 }
@@ -144,18 +147,18 @@ pub fn leans_on_past(state: &StrandState, h: f64) -> bool {
 /// The formula is stable for steps that grow by less than 1 + √2; well below that it is accurate too.
 const LARGEST_RATIO: f64 = 2.0;
 
-/// Which stage, and its times.
+/// The times of a stage.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StageTimes<T> {
     pub index: usize,
-    /// The stage is an implicit Euler step of this.
+    /// The stage is an implicit Euler step of this length.
     pub k: T,
-    /// From the last stage's end, or the step's start, to this one's end.
+    /// From the end of the last stage, or the start of the step, to the end of this one.
     pub way: T,
 }
 
-/// Solves the stage that ends `seconds` after the step's start, for the strands that no stage before has lost; it is then the last. Gives
-/// how far the roots' origins went.
+/// Solves the stage that ends `seconds` after the start of the step, for the strands that no earlier stage lost; it becomes the
+/// last stage. Returns how far the roots' origins moved.
 #[inline(always)]
 fn solve_stage<T: Lane, S: LinearSolve<T>>(times: StageTimes<T>, seconds: f64, context: &mut StepContext<'_, T, S>) -> Vec3<T> {
     let (members, setting) = (context.members, context.setting);
@@ -223,50 +226,51 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
     }
 }
 
-/// Places the strands where the step found them.
+/// Places the strands at the start of the step.
 #[inline(always)]
 fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, base_rests, .. } = workspace;
+    let Workspace { loaded, iterate, base_compensation, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.curvatures,
-        rests: &loaded.rests,
+        compensation: &loaded.compensation,
         rule,
         kinematics: &mut iterate.kinematics,
         positions: &mut iterate.point_base,
-        point_rests: base_rests,
+        point_compensation: base_compensation,
     });
     iterate.curvature_base.clone_from(&loaded.curvatures);
     iterate.curvatures.clone_from(&loaded.curvatures);
 }
 
-/// Places the strands where the step before found them.
+/// Places the strands at the start of the last step.
 #[inline(always)]
 fn past_base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, past_base, past_rests, .. } = workspace;
+    let Workspace { loaded, iterate, past_base, past_compensation, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.past_rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.past_curvatures,
-        rests: &loaded.past_rests,
+        compensation: &loaded.past_compensation,
         rule,
         kinematics: &mut iterate.kinematics,
         positions: past_base,
-        point_rests: past_rests,
+        point_compensation: past_compensation,
     });
 }
 
-/// The positions of all points for given curvatures, relative to the root's origin, and in f32 what the curvatures' rests add.
+/// The positions of all points for given curvatures, relative to the root's origin, and in f32 their displacements by the
+/// curvatures' remainders.
 struct Positions<'a, T> {
     rotation: &'a Mat3<T>,
     lengths: &'a [T],
     curvatures: &'a [[T; 3]],
-    rests: &'a [[T; 3]],
+    compensation: &'a [[T; 3]],
     rule: &'a Rule,
     kinematics: &'a mut Kinematics<T>,
     positions: &'a mut Vec<Vec3<T>>,
-    point_rests: &'a mut Vec<Vec3<T>>,
+    point_compensation: &'a mut Vec<Vec3<T>>,
 }
 
 impl<T: Lane> Kernel for Positions<'_, T> {
@@ -279,9 +283,9 @@ impl<T: Lane> Kernel for Positions<'_, T> {
             for (position, point) in self.positions.iter_mut().zip(&self.kinematics.points) {
                 *position = point.position;
             }
-            let point_rests = self.point_rests;
-            point_rests.resize(self.kinematics.points.len(), Vec3::zero());
-            displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+            let point_compensation = self.point_compensation;
+            point_compensation.resize(self.kinematics.points.len(), Vec3::zero());
+            displacement::for_each_point(self.kinematics, self.compensation, |p, moved| point_compensation[p] = moved);
             return;
         }
         self.positions.resize(self.lengths.len() * self.rule.len(), Vec3::zero());
@@ -292,7 +296,8 @@ impl<T: Lane> Kernel for Positions<'_, T> {
     }
 }
 
-/// Moves the roots to where they are `seconds` after the step's start: their rotations then, and how far their origins went.
+/// Moves the roots to their poses `seconds` after the start of the step: sets their rotations, returns how far their origins
+/// moved.
 #[inline(always)]
 pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut Workspace<T>) -> (Mat3<T>, Vec3<T>) {
     let (mut rotation, mut offset) = (Mat3::zero(), Vec3::zero());
@@ -308,65 +313,65 @@ pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut 
     (rotation, offset)
 }
 
-/// Writes down the error that the step added, in units of the strands' lengths.
+/// Stores the error that the step added, relative to the strands' lengths.
 #[inline(always)]
-fn tell_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
+fn store_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
     for lane in 0..workspace.loaded.count {
         outcomes[lane].error = error.lane(lane) * workspace.loaded.units[lane].length / members.model(lane).length();
     }
 }
 
-/// The displaced start of stage `index`: where it would be after the stages before it.
+/// The displaced start of stage `index`, from the stages before it.
 #[inline(always)]
 fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, stages, base_rests, .. } = workspace;
+    let Workspace { loaded, iterate, stages, base_compensation, .. } = workspace;
     let (before, from_here) = stages.split_at_mut(index);
     let stage = &mut from_here[0];
     stage.resize(loaded.lengths.len(), iterate.point_base.len());
     stage.start_velocities.clone_from(&loaded.velocities);
     if T::PRECISION == Precision::F32 {
-        stage.start_displacements.clone_from(base_rests);
-        stage.start_changes.clone_from(&loaded.rests);
+        stage.start_displacements.clone_from(base_compensation);
+        stage.start_changes.clone_from(&loaded.compensation);
     } else {
         stage.start_displacements.fill(Vec3::zero());
         stage.start_changes.fill([T::zero(); 3]);
     }
     for (j, earlier) in before.iter().enumerate() {
-        let share = loaded.step * T::splat(tableau.below[index][j]);
+        let fraction = loaded.step * T::splat(tableau.below[index][j]);
         for p in 0..stage.start_displacements.len() {
-            stage.start_displacements[p] += earlier.velocities[p].scale(share);
-            stage.start_velocities[p] += earlier.accelerations[p].scale(share);
+            stage.start_displacements[p] += earlier.velocities[p].scale(fraction);
+            stage.start_velocities[p] += earlier.accelerations[p].scale(fraction);
         }
         for (row, rate) in stage.start_changes.iter_mut().zip(&earlier.rates) {
             for axis in 0..3 {
-                row[axis] += share * rate[axis];
+                row[axis] += fraction * rate[axis];
             }
         }
     }
 }
 
-/// What the stage's end says about velocities, accelerations and rates.
+/// Velocities, accelerations and rates that follow from the stage's end.
 #[inline(always)]
 pub(super) fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterate<T>, stage: &mut Stage<T>) {
     let inverse = T::one() / k;
     for (p, point) in iterate.kinematics.points.iter().enumerate() {
         let mut moved = point.position - iterate.point_base[p];
         if T::PRECISION == Precision::F32 {
-            moved += iterate.point_rests[p];
+            moved += iterate.point_compensation[p];
         }
-        // As a change of ṽ: what is wrong with k and its inverse in the last digit must not act on the velocity step by step.
+        // As a change of ṽ: the last digit's error in k and its inverse must not act on the velocity step after step.
         let start = stage.start_velocities[p];
         let faster = ((moved + (offset - stage.start_displacements[p])) - start.scale(k)).scale(inverse);
         stage.velocities[p] = start + faster;
         stage.accelerations[p] = faster.scale(inverse);
     }
     for (element, row) in iterate.curvatures.iter().enumerate() {
-        // A frozen curvature has no rate: the differences of the two-step start would leave it one, of rounding.
+        // A frozen curvature has no rate: the differences of the two-step start would give it one from rounding.
         let mut rate = [T::zero(); 3];
         for axis in axes {
             let mut change = row[*axis] - iterate.curvature_base[element][*axis];
             if T::PRECISION == Precision::F32 {
-                change += iterate.rests[element][*axis];
+                change += iterate.compensation[element][*axis];
             }
             rate[*axis] = (change - stage.start_changes[element][*axis]) * inverse;
         }
@@ -374,28 +379,34 @@ pub(super) fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], itera
     }
 }
 
-/// Newton's two starts: where it is, and, on trial, where the rates lead. Frozen curvatures are natural.
+/// Newton's two starts: the current state and, on trial, the one to which the rates lead. Frozen curvatures are natural.
 #[inline(always)]
-pub(super) fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<&Stage<T>>, iterate: &mut Iterate<T>) {
+pub(super) fn lead<T: Lane>(
+    span: T,
+    freedoms: Freedoms,
+    loaded: &Loaded<T>,
+    before: Option<&Stage<T>>,
+    iterate: &mut Iterate<T>,
+) {
     let rates = before.map_or(&loaded.rates, |stage| &stage.rates);
-    let Iterate { curvatures, trial_curvatures, rests, trial_rests, .. } = iterate;
+    let Iterate { curvatures, trial_curvatures, compensation, trial_compensation, .. } = iterate;
     trial_curvatures.resize(curvatures.len(), [T::zero(); 3]);
     if T::PRECISION == Precision::F32 && before.is_none() {
-        rests.clone_from(&loaded.rests);
+        compensation.clone_from(&loaded.compensation);
     }
-    trial_rests.clone_from(rests);
+    trial_compensation.clone_from(compensation);
     for (element, row) in curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
             if freedoms.contains(axis) {
-                let change = way * rates[element][axis];
+                let change = span * rates[element][axis];
                 if T::PRECISION == Precision::F32 {
-                    let change = change + rests[element][axis];
-                    (trial_curvatures[element][axis], trial_rests[element][axis]) = row[axis].sum_and_rest(change);
+                    let change = change + compensation[element][axis];
+                    (trial_curvatures[element][axis], trial_compensation[element][axis]) = row[axis].two_sum(change);
                 } else {
                     trial_curvatures[element][axis] = row[axis] + change;
                 }
             } else {
-                // What rounding leaves off it is as at the start, but for a host's change.
+                // Its remainder is that of the start, unless a host changed it.
                 row[axis] = loaded.natural[element][axis];
                 trial_curvatures[element][axis] = row[axis];
             }
@@ -419,8 +430,8 @@ pub(super) fn assemble_terms<T: Lane>(
     point_target.resize(points, Vec3::zero());
     curvature_target.resize(loaded.lengths.len(), [T::zero(); 3]);
     let per_element = weights.len();
-    // Of all points only the pulls of inertia and drag differ, and stiffnesses only by the weight: what they share is summed once. Pulls
-    // are taken from where the velocity leads, kṽ.
+    // Points differ only in the pulls of inertia and drag, and stiffnesses only by the weight: shared parts are summed once.
+    // Pulls are relative to kṽ, where the velocity leads.
     let mut shared = PointQuadratic::zero();
     inertia::add(&mut shared, loaded.linear_density, k, Vec3::zero());
     gravity::add(&mut shared, loaded.linear_density, loaded.gravity);

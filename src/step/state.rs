@@ -1,4 +1,4 @@
-//! What a step changes about a strand.
+//! The state of a strand: what a step changes.
 
 use std::ops::{Deref, DerefMut};
 use std::sync::LazyLock;
@@ -18,14 +18,14 @@ use crate::rod::velocity::{self, RootMotion};
 pub struct StrandState {
     /// Pose of the root.
     pub root: Frame,
-    /// κ, a row an element.
+    /// κ, one row per element.
     pub curvatures: Vec<[f64; 3]>,
-    /// Velocity of the material points at the quadrature nodes, world axes, m/s. A field of its own and not J q̇: over a step with a
-    /// large rotation the chord that a point moved along is shorter than its arc, and taking the arc's velocity would add energy.
+    /// Velocity of the material points at the quadrature nodes, world axes, m/s. A field of its own and not J q̇: over a step
+    /// with a large rotation a point's chord is shorter than its arc, and taking the arc's velocity would add energy.
     pub velocities: Vec<Vec3<f64>>,
-    /// Which quadrature rule the nodes are of.
+    /// The quadrature rule of the nodes.
     pub rule: usize,
-    /// κ̇, a row an element.
+    /// κ̇, one row per element.
     pub rates: Vec<[f64; 3]>,
     /// Velocity of the root's origin, m/s.
     pub root_velocity: Vector3<f64>,
@@ -35,32 +35,33 @@ pub struct StrandState {
     pub wrench_force: Vec3<f64>,
     /// Torque on the follicle about its origin, N·m.
     pub wrench_torque: Vec3<f64>,
-    /// The step before, for integrators that look back.
+    /// The last step, for integrators that need its history.
     pub past: Past,
-    /// How often the next step is halved from its start: what the last one came to need.
+    /// How often to halve the next step from its start: the halvings that the last one needed.
     pub subdivision: u32,
 }
 
-/// What the two-step method remembers of the step before: the strand at its start. A strand that never had one takes no memory for it.
+/// The history of the two-step method: the strand at the start of the last step. A strand that never had one uses no memory for
+/// it.
 #[derive(Debug, Default)]
 pub struct Past {
-    /// Seconds from then to now; 0: there is no past.
+    /// Seconds from then to now; 0 for no history.
     pub step: f64,
     earlier: Option<Box<Earlier>>,
 }
 
-/// A strand at the start of the step before.
+/// A strand at the start of the last step.
 #[derive(Debug, PartialEq, Default)]
 pub struct Earlier {
     /// κ then.
     pub curvatures: Vec<[f64; 3]>,
-    /// Velocities of the points then, at the nodes of the present rule.
+    /// Velocities of the points then, at the nodes of the current rule.
     pub velocities: Vec<Vec3<f64>>,
     /// Pose of the root then.
     pub root: Frame,
 }
 
-/// What a strand without a past is read as.
+/// Reads as the history of a strand that has none.
 static NOTHING: LazyLock<Earlier> = LazyLock::new(Earlier::default);
 
 impl Deref for Past {
@@ -99,7 +100,7 @@ impl PartialEq for Past {
     }
 }
 
-// Written out, because a derived clone_from allocates anew: the state is copied before every step.
+// Written out, because a derived clone_from would reallocate, and the state is copied before every step.
 impl Clone for Past {
     fn clone(&self) -> Self {
         let mut clone = Self::default();
@@ -109,7 +110,7 @@ impl Clone for Past {
 
     fn clone_from(&mut self, source: &Self) {
         self.step = source.step;
-        // Without a past what lies there is not looked at.
+        // Without a history the contents are never read.
         if source.step > 0.0 {
             let Earlier { curvatures, velocities, root } = &**source;
             let earlier = &mut **self;
@@ -175,7 +176,7 @@ impl Default for StrandState {
 }
 
 impl StrandState {
-    /// A strand of given curvatures and rates whose root moves as told.
+    /// A strand with the given curvatures, rates and motion of the root.
     pub fn new(
         model: &StrandModel,
         rules: &Rules,
@@ -204,10 +205,10 @@ impl StrandState {
         };
         self.past.step = 0.0;
         self.subdivision = 0;
-        let rests = self.root_velocity == Vector3::zeros()
+        let at_rest = self.root_velocity == Vector3::zeros()
             && self.root_angular_velocity == Vector3::zeros()
             && self.rates.iter().all(|row| *row == [0.0; 3]);
-        if rests {
+        if at_rest {
             return;
         }
         let mut kinematics = Kinematics::default();
@@ -216,9 +217,9 @@ impl StrandState {
         velocity::for_each_point(&kinematics, &self.rates, &root, |p, v, _| velocities[p] = v);
     }
 
-    /// Goes to the quadrature rule that the present shape needs, taking the velocities along: to more points by interpolation, to
-    /// fewer as the polynomial that is nearest in the mean square. Kinetic energy stays or, by what fewer points cannot hold, falls;
-    /// momentum stays.
+    /// Changes to the quadrature rule of the current shape and carries the velocities over: to more points by interpolation, to
+    /// fewer as the polynomial nearest in the mean square. Momentum stays. Kinetic energy stays too, or falls by what fewer
+    /// points cannot represent.
     pub fn adapt_rule(&mut self, model: &StrandModel, rules: &Rules, scratch: &mut RuleScratch) {
         let wanted = rules.next_for_angle(self.rule, model.largest_angle(&self.curvatures));
         if wanted == self.rule {
@@ -239,14 +240,14 @@ impl StrandState {
                     scratch.velocities[element * to.len() + node] = sum;
                 }
             }
-            // Copied, not swapped: a strand shall not keep the room that the scratch memory has.
+            // Copied, not swapped: a strand must not keep the capacity of the scratch memory.
             velocities.reserve_exact(scratch.velocities.len().saturating_sub(velocities.len()));
             velocities.clone_from(&scratch.velocities);
         }
         self.rule = wanted;
     }
 
-    /// Puts the root elsewhere at once: the shape and the velocities in the root's axes stay as they are.
+    /// Moves the root at once: the shape, and the velocities in the root's axes, stay as they are.
     pub fn teleport(&mut self, root: Frame) {
         let turn = root.rotation * self.root.rotation.inverse();
         let turned = |velocity: &mut Vec3<f64>| *velocity = Vec3::from(turn * Vector3::from(*velocity));
@@ -262,7 +263,7 @@ impl StrandState {
         self.root = root;
     }
 
-    /// Gives back the room that lists have beyond their length.
+    /// Frees the lists' spare capacity.
     pub fn shrink(&mut self) {
         self.curvatures.shrink_to_fit();
         self.rates.shrink_to_fit();
@@ -288,7 +289,7 @@ impl StrandState {
     }
 }
 
-/// Room for [`StrandState::adapt_rule`].
+/// Scratch memory for [`StrandState::adapt_rule`].
 #[derive(Debug, Clone, Default)]
 pub struct RuleScratch {
     coefficients: Vec<f64>,

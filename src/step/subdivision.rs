@@ -1,9 +1,10 @@
-//! Subdivision: a strand whose step does not converge, turns non-finite or errs by more than allowed takes it in parts, each half as
-//! long as the one that failed; parts grow again where they go well. The other strands go on as they are, and the parts depend on nothing
-//! but the strand, so that results do not depend on the number of threads.
+//! Subdivision: a strand whose step does not converge, turns non-finite or errs by more than permitted takes it in substeps.
 //!
-//! Parts are counted in ticks, the shortest part allowed: a part may double where its start is a multiple of the double, so that all end
-//! with the step.
+//! Each substep is half as long as the one that failed; substeps grow again where they go well. Other strands are unaffected, and
+//! the substeps depend on nothing but the strand, so results do not depend on the number of threads.
+//!
+//! Substeps are counted in ticks, the shortest substep permitted. A substep may double where its start is a multiple of the
+//! double, so that the last one ends with the step.
 
 use super::members::One;
 use super::options::{Integrator, StepOptions};
@@ -12,7 +13,8 @@ use super::single::Single;
 use super::state::{RuleScratch, StrandState};
 use super::{Setting, StrandOutcome, keep};
 
-/// A part grows where it errs by less than this share of what is allowed: twice as long a step of second order errs eight times as much.
+/// A substep grows where it errs by less than this fraction of the tolerance: a second-order step twice as long errs eight times
+/// as much.
 const GROWS_BELOW: f64 = 0.08;
 
 /// How often a step may be halved.
@@ -20,8 +22,8 @@ pub fn levels(options: &StepOptions) -> u32 {
     if matches!(options.integrator, Integrator::ImplicitEuler | Integrator::SecondOrder) { options.max_subdivisions } else { 0 }
 }
 
-/// Takes the step in parts, the first of h/2^`level`; the state is that of the step's start.
-pub fn in_parts<T: Single>(
+/// Takes the step in substeps, starting with h/2^`level`; the state is that at the start of the step.
+pub fn in_substeps<T: Single>(
     one: &mut One,
     setting: &Setting,
     h: f64,
@@ -49,9 +51,9 @@ pub fn in_parts<T: Single>(
             part /= 2;
             continue;
         }
-        total.add_part(&outcome);
+        total.add_substep(&outcome);
         if outcome.quarantined {
-            // The whole step is rolled back: the root is where the host left it.
+            // The whole step is rolled back: the root stays where the host left it.
             one.state.clone_from(begin);
             total.quarantined = true;
             total.converged = false;
@@ -68,7 +70,7 @@ pub fn in_parts<T: Single>(
     total
 }
 
-/// Whether the end of a step in one piece becomes the state: where it serves, and, whatever else it is but not finite, where it may not be
+/// Whether the end of a step in one piece becomes the state: where it is acceptable or, if finite, where the step may not be
 /// subdivided.
 pub fn is_kept(options: &StepOptions, outcome: &StrandOutcome) -> bool {
     serves(options, outcome) || (levels(options) == 0 && !outcome.quarantined)

@@ -1,10 +1,10 @@
 //! Singly diagonally implicit Runge–Kutta methods, stiffly accurate and L-stable, that share one Newton.
 //!
-//! Each stage is an implicit Euler step of γh from a displaced start (see `step::stages`), so that a method is no more than a small
-//! table. The last stage is the step's end: nothing is recombined, and twist, which has no inertia on a straight strand, is where the
-//! last stage's equations put it.
+//! Each stage is an implicit Euler step of γh from a displaced start (see `step::stages`), so a method is no more than a small
+//! table. The last stage is the end of the step: nothing is recombined, and twist, which has no inertia on a straight strand,
+//! follows the last stage's equations.
 
-/// The most stages that a table has.
+/// The most stages of any table.
 pub const MAX_STAGES: usize = 2;
 
 /// One method: stage i is at time cᵢh and starts from r_t + h Σⱼ aᵢⱼ Vⱼ, v_t + h Σⱼ aᵢⱼ Aⱼ over the stages j before it.
@@ -26,9 +26,10 @@ pub const IMPLICIT_EULER: Tableau = Tableau { stages: 1, gamma: 1.0, times: [1.0
 /// γ = 1 − 1/√2.
 const GAMMA_2: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
-/// Two stages (Alexander 1977), second order on differential equations. A strand's points obey their shape as a constraint (index 3), on
-/// which every method of this kind keeps its order in the position over one step and loses one in the velocity: run for long it is of
-/// first order (measured in `docs/theory/integrators.md`). It is the start of the two-step method, where it has no time to show.
+/// Two stages (Alexander 1977), second order on ordinary differential equations. The shape of a strand constrains its points
+/// (index 3). On such a system every method of this kind keeps its order in the position over one step and loses one in the
+/// velocity, and over many steps it is of first order (`docs/theory/integrators.md`). It starts the two-step method, where that
+/// does not show.
 pub const TWO_STAGES: Tableau =
     Tableau { stages: 2, gamma: GAMMA_2, times: [GAMMA_2, 1.0], below: [[0.0; MAX_STAGES], [1.0 - GAMMA_2, 0.0]] };
 

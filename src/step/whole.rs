@@ -1,4 +1,4 @@
-//! A step in one piece of strands side by side: taken in the workspace, and made their state only where that is wanted.
+//! A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 
 use super::context::StepContext;
 use super::members::{self, Members};
@@ -11,12 +11,12 @@ use crate::energy::Energies;
 use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::vector::Vec3;
 
-/// Takes strands through a step of `h` seconds, by any integrator but the reference; the strands are as they were, and the workspace
-/// holds the step's end. Those of the second-order integrator must all lean on their past, or none.
+/// Takes strands through a step of `h` seconds with any integrator but the reference. The strands stay unchanged, and the
+/// workspace holds the result. With the second-order integrator all of them must have a usable history, or none.
 pub struct Take<'a, T, S> {
     /// The strands.
     pub members: &'a dyn Members,
-    /// What acts on them, and how.
+    /// The surroundings and the options.
     pub setting: &'a Setting<'a>,
     /// Seconds.
     pub h: f64,
@@ -53,7 +53,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
     }
 }
 
-/// Zero in the lanes in which all that would become a strand's state is finite; not a number in the others.
+/// Zero in the lanes where every number of the new state is finite; NaN in the others.
 #[inline(always)]
 pub(super) fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
     let stage = &workspace.stages[workspace.last_stage];
@@ -73,7 +73,7 @@ pub(super) fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
     sum
 }
 
-/// The energies at the step's end.
+/// The energies at the end of the step.
 #[inline(always)]
 pub(super) fn energies<T: Lane>(
     members: &dyn Members,
@@ -114,7 +114,7 @@ pub(super) fn energies<T: Lane>(
     }
 }
 
-/// The roots' mean velocities over the step, at the end of which they are.
+/// The roots' mean velocities over the step; the roots are at its end.
 #[inline(always)]
 pub fn measure_roots<T: Lane>(members: &dyn Members, h: f64, workspace: &mut Workspace<T>) {
     for lane in 0..workspace.loaded.count {
@@ -122,7 +122,7 @@ pub fn measure_roots<T: Lane>(members: &dyn Members, h: f64, workspace: &mut Wor
     }
 }
 
-/// Makes the step's end the state of one of the strands.
+/// Makes the end of the step the state of one strand.
 pub fn save<T: Lane>(members: &mut dyn Members, lane: usize, setting: &Setting, h: f64, workspace: &Workspace<T>) {
     T::call(Save { members, lane, setting, h, workspace });
 }
@@ -159,10 +159,10 @@ impl<T: Lane> Kernel for Save<'_, T> {
             }
         }
         if T::PRECISION == Precision::F32 {
-            for (element, (row, rests)) in state.curvatures.iter_mut().zip(&workspace.iterate.rests).enumerate() {
+            for (element, (row, compensation)) in state.curvatures.iter_mut().zip(&workspace.iterate.compensation).enumerate() {
                 for axis in 0..3 {
                     if model.freedoms.contains(axis) {
-                        row[axis] += rests[axis].lane(lane) * per_length;
+                        row[axis] += compensation[axis].lane(lane) * per_length;
                     } else {
                         row[axis] = model.natural[element][axis];
                     }

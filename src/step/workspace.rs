@@ -1,4 +1,4 @@
-//! The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
+//! The scratch memory of a step, one per worker, kept between strands and steps so that nothing is allocated once it has grown.
 
 use nalgebra::Vector3;
 
@@ -9,14 +9,14 @@ use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES};
 use crate::math::vector::Vec3;
 
-/// One stage of a Runge–Kutta step: where it starts from and what its end says. World axes.
+/// One stage of a Runge–Kutta step: its start and its results. World axes.
 #[derive(Debug, Clone)]
 pub struct Stage<T> {
-    /// r̃ from the points' places at the step's start (`Iterate::point_base`).
+    /// r̃ from the points' positions at the start of the step (`Iterate::point_base`).
     pub start_displacements: Vec<Vec3<T>>,
     /// ṽ.
     pub start_velocities: Vec<Vec3<T>>,
-    /// q̃ from the curvatures at the step's start.
+    /// q̃ from the curvatures at the start of the step.
     pub start_changes: Vec<[T; 3]>,
     /// V.
     pub velocities: Vec<Vec3<T>>,
@@ -40,7 +40,7 @@ impl<T> Default for Stage<T> {
 }
 
 impl<T: Lane> Stage<T> {
-    /// Makes room.
+    /// Resizes everything.
     #[inline(always)]
     pub fn resize(&mut self, elements: usize, points: usize) {
         self.start_displacements.resize(points, Vec3::zero());
@@ -52,24 +52,24 @@ impl<T: Lane> Stage<T> {
     }
 }
 
-/// Scratch for one pack of strands at a time.
+/// Scratch memory for one pack of strands at a time.
 #[derive(Debug, Clone)]
 pub struct Workspace<T> {
     /// The strands as the step found them.
     pub loaded: Loaded<T>,
     /// Newton's iteration.
     pub iterate: Iterate<T>,
-    /// Where each point was at the start of the step before, relative to the root's origin then.
+    /// Position of each point at the start of the last step, relative to the root's origin then.
     pub past_base: Vec<Vec3<T>>,
-    /// By how much each point is further on at the step's start than the rounded curvatures put it (f32 only).
-    pub base_rests: Vec<Vec3<T>>,
-    /// The same at the start of the step before.
-    pub past_rests: Vec<Vec3<T>>,
+    /// Displacement of each point at the start of the step by the rounding errors of the curvatures (f32 only).
+    pub base_compensation: Vec<Vec3<T>>,
+    /// The same at the start of the last step.
+    pub past_compensation: Vec<Vec3<T>>,
     /// The stages of the step.
     pub stages: [Stage<T>; MAX_STAGES],
-    /// Which of them is the step's end; its curvatures are those of `iterate`.
+    /// The stage that ends the step; its curvatures are those of `iterate`.
     pub last_stage: usize,
-    /// Where the roots are at the end of the last stage.
+    /// Poses of the roots at the end of the last stage.
     pub roots: [Frame; MAX_LANES],
     /// The roots' mean velocities over the step, m/s and rad/s, world axes.
     pub root_velocities: [(Vector3<f64>, Vector3<f64>); MAX_LANES],
@@ -85,8 +85,8 @@ impl<T: Lane> Default for Workspace<T> {
             loaded: Loaded::default(),
             iterate: Iterate::default(),
             past_base: Vec::new(),
-            base_rests: Vec::new(),
-            past_rests: Vec::new(),
+            base_compensation: Vec::new(),
+            past_compensation: Vec::new(),
             stages: std::array::from_fn(|_| Stage::default()),
             last_stage: 0,
             roots: [Frame::default(); MAX_LANES],

@@ -1,9 +1,11 @@
-//! Styling by hand: the bodies of tools from a few numbers, and combs whose teeth hold the strands that they meet until these are combed. See
-//! `docs/theory/styling_tools.md`. Clips, scissors, hot plates and the freezing of a style are methods of [`Solver`](crate::solver::Solver).
+//! Styling by hand: bodies of tools, and combs whose teeth hold the strands that they meet until these are combed
+//! (`docs/theory/styling_tools.md`).
+//!
+//! Clips, scissors, hot plates and frozen styles are methods of [`Solver`](crate::solver::Solver).
 //!
 //! Files:
 //!
-//! - `ring_comb.rs`: A comb whose teeth hold the strands that they meet.
+//! - `ring_comb.rs`: A ring comb: a strand sticks to the first tooth that it meets and slides along it as through a ring with friction.
 //! - `tools.rs`: The bodies of styling tools, from a few numbers.
 
 pub mod ring_comb;

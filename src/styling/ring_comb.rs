@@ -1,5 +1,5 @@
-//! A comb whose teeth hold the strands that they meet: the first contact makes a strand stick to a tooth, along which it is drawn as through a
-//! ring with friction until it has been combed over its whole length, or is let go (Bonanni and Kmoch 2008, section 3.3).
+//! A ring comb: a strand sticks to the first tooth that it meets and slides along it as through a ring with friction, until the
+//! tooth has combed its whole length or lets it go (Bonanni and Kmoch 2008, section 3.3).
 
 use nalgebra::Vector3;
 
@@ -12,14 +12,15 @@ use crate::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, StrandId};
 use crate::solver::report::Wrench;
 
-/// How a comb holds strands.
+/// Options of a ring comb.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RingCombOptions {
-    /// Multiplies the strands' friction against bodies ([`StrandContact::friction`]; of a strand without contact the default), zero or above.
+    /// A factor on the strands' friction against bodies ([`StrandContact::friction`]; the default for a strand without contact),
+    /// zero or above.
     pub friction: f64,
-    /// A strand is let go where a tooth draws at it with more than this, N; above zero.
+    /// A tooth lets go of a strand when it pulls harder than this, N; above zero.
     pub max_force: f64,
-    /// No strand is caught nearer to its root than this, m; zero or above.
+    /// No strand is caught closer to its root than this, m; zero or above.
     pub exempt_length: f64,
 }
 
@@ -37,18 +38,18 @@ impl RingCombOptions {
     }
 }
 
-/// What a step came to.
+/// The result of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RingCombReport {
-    /// Strands that hang on teeth.
+    /// Strands on teeth.
     pub held: u32,
     /// Caught in this step.
     pub caught: u32,
     /// Combed to the tip in this step.
     pub combed: u32,
-    /// Let go in this step, since a tooth drew too hard.
+    /// Let go in this step, because a tooth pulled too hard.
     pub let_go: u32,
-    /// What strands do to the comb: force, N, and torque about its frame's origin, N·m, world.
+    /// The action of strands on the comb: force, N, and torque about its frame's origin, N·m, world.
     pub wrench: Wrench,
 }
 
@@ -57,11 +58,12 @@ pub struct RingCombReport {
 struct Ring {
     strand: StrandId,
     constraint: ConstraintId,
-    /// Where on the tooth, in the comb's axes.
+    /// The place on the tooth, in the comb's axes.
     place: Vector3<f64>,
 }
 
-/// A comb. It has no bodies: rings hold the strands that its teeth run into. A strand hangs on one tooth of it at most; several combs may hold it.
+/// A comb without bodies: rings hold the strands that its teeth run into. A strand is on at most one of its teeth; several combs
+/// may hold it.
 #[derive(Debug)]
 pub struct RingComb {
     options: RingCombOptions,
@@ -69,12 +71,12 @@ pub struct RingComb {
     radius: f64,
     pose: Frame,
     rings: Vec<Ring>,
-    /// Let go, and still among the teeth: not caught again.
+    /// Let go and still among the teeth: not caught again.
     loose: Vec<StrandId>,
     caught: u32,
 }
 
-/// A strand that was let go may be caught again when the teeth are so many radii away.
+/// A strand that was let go may be caught again when the teeth are this many radii away.
 const AWAY: f64 = 4.0;
 
 impl RingComb {
@@ -93,21 +95,21 @@ impl RingComb {
         Ok(Self { options: *options, teeth, radius, pose: *pose, rings: Vec::new(), loose: Vec::new(), caught: 0 })
     }
 
-    /// Where it is.
+    /// Its pose.
     pub fn pose(&self) -> Frame {
         self.pose
     }
 
-    /// The strands that hang on its teeth, each with the constraint that holds it.
+    /// The strands on its teeth, each with its constraint.
     pub fn held(&self) -> impl Iterator<Item = (StrandId, ConstraintId)> {
         self.rings.iter().map(|ring| (ring.strand, ring.constraint))
     }
 
-    /// Call it before a step of `dt` seconds: the comb goes to `to` within it. Those of `ids` whose strand a tooth runs into on the way, as they are now, are
-    /// caught.
+    /// Call it before a step of `dt` seconds: the comb moves to `to` within it. Catches those of `ids` whose current shape a
+    /// tooth runs into on the way.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] (`dt`, `to`). Then nothing has changed.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] (`dt`, `to`). Nothing has then changed.
     pub fn before_step(&mut self, solver: &mut Solver, ids: &[StrandId], to: &Frame, dt: f64) -> Result<()> {
         check_positive(|| "dt".into(), dt)?;
         for axis in 0..3 {
@@ -126,12 +128,12 @@ impl RingComb {
         let mut made = Vec::new();
         for (id, hit) in free.into_iter().zip(hits) {
             let Some(hit) = hit.filter(|_| !self.loose.contains(&id)) else { continue };
-            // Where along the tooth the strand met it stays the same; when on the way it did so does not matter.
+            // The strand keeps its place along the tooth; the time at which it was met does not matter.
             let [a, b] = self.teeth[hit.quad];
             let [start, end] = [[quads[hit.quad][0], quads[hit.quad][1]], [quads[hit.quad][3], quads[hit.quad][2]]];
             let along = |[a, b]: [Vector3<f64>; 2]| ((hit.position - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
             let near = |ends: [Vector3<f64>; 2]| (ends[0] + (ends[1] - ends[0]) * along(ends) - hit.position).norm();
-            let share = if near(start) <= near(end) { along(start) } else { along(end) };
+            let fraction = if near(start) <= near(end) { along(start) } else { along(end) };
             let contact = solver.contact(id)?.copied().unwrap_or_default();
             let scaled = |friction: Friction| Friction {
                 along: friction.along * self.options.friction,
@@ -142,7 +144,7 @@ impl RingComb {
             let hold = Hold::Ring { friction: scaled(friction) };
             made.push((
                 id,
-                a + (b - a) * share,
+                a + (b - a) * fraction,
                 ConstraintDef { strand: id, arclength: hit.arclength, hold, target, compliance: 0.0 },
             ));
         }
@@ -159,10 +161,10 @@ impl RingComb {
         Ok(())
     }
 
-    /// Call it after the step: lets go of strands that are combed to the tip, or that a tooth draws at too hard.
+    /// Call it after the step: lets go of strands that are combed to the tip, or that a tooth pulls too hard.
     ///
     /// # Errors
-    /// None at present; removed strands and constraints are left out.
+    /// None at present; removed strands and constraints are skipped.
     pub fn after_step(&mut self, solver: &mut Solver) -> Result<RingCombReport> {
         self.forget_removed(solver);
         let mut report = RingCombReport { caught: std::mem::take(&mut self.caught), ..RingCombReport::default() };
@@ -198,7 +200,7 @@ impl RingComb {
         solver.remove_constraints(&constraints)
     }
 
-    /// Others may have removed strands and constraints.
+    /// Drops strands and constraints that others have removed.
     fn forget_removed(&mut self, solver: &Solver) {
         self.rings.retain(|ring| solver.constraint_state(ring.constraint).is_ok());
         self.loose.retain(|id| solver.contact(*id).is_ok());

@@ -1,7 +1,7 @@
 //! The bodies of styling tools, from a few numbers.
 //!
-//! A tool has one frame. Teeth, bristles and a finger point along its z axis and begin at z = 0; rows of teeth go along x, rows of bristles
-//! follow each other along y. Plates lie across y on both sides of the origin, a barrel lies along x.
+//! A tool has one frame. Teeth, bristles and a finger point along its z axis and start at z = 0; rows of teeth run along x, and
+//! rows of bristles follow each other along y. Plates lie across y on both sides of the origin, a barrel lies along x.
 
 use std::sync::Arc;
 
@@ -12,8 +12,8 @@ use crate::contact::shape::Shape;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 
-/// The most teeth in a row, and rows.
-pub const MOST_TEETH: u32 = 1000;
+/// The most teeth in a row, and the most rows.
+pub const MAX_TEETH: u32 = 1000;
 
 /// A styling tool. Lengths in m, above zero.
 ///
@@ -29,9 +29,9 @@ pub const MOST_TEETH: u32 = 1000;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tool {
-    /// A row of capsules, one body a tooth.
+    /// A row of capsules, one body per tooth.
     Comb {
-        /// How many, 1 to [`MOST_TEETH`].
+        /// How many, 1 to [`MAX_TEETH`].
         teeth: u32,
         /// From axis to axis.
         spacing: f64,
@@ -40,11 +40,11 @@ pub enum Tool {
         /// Of a tooth.
         radius: f64,
     },
-    /// Rows of capsules, one body a bristle.
+    /// Rows of capsules, one body per bristle.
     Brush {
-        /// Bristles in a row, 1 to [`MOST_TEETH`].
+        /// Bristles in a row, 1 to [`MAX_TEETH`].
         bristles: u32,
-        /// Rows, 1 to [`MOST_TEETH`]; every other row stands half a spacing aside.
+        /// Rows, 1 to [`MAX_TEETH`]; every other row is offset by half a spacing.
         rows: u32,
         /// From axis to axis in a row.
         spacing: f64,
@@ -62,11 +62,11 @@ pub enum Tool {
         /// Of the finger.
         radius: f64,
     },
-    /// The two plates of a straightener, which face each other.
+    /// The two plates of a straightener, facing each other.
     Plates {
         /// Along x.
         width: f64,
-        /// Along z, the way that hair passes.
+        /// Along z, the direction in which hair passes.
         depth: f64,
         /// Of each plate.
         thickness: f64,
@@ -93,17 +93,17 @@ impl Tool {
     /// A barrel of 120 mm, 25 mm thick.
     pub const BARREL: Tool = Tool::Barrel { length: 120e-3, radius: 12.5e-3 };
 
-    /// Checks every number; `argument` is the name put before the field in the message.
+    /// Checks every number; messages put `argument` before the field's name.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming the first that is out of range.
+    /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
         let lengths = |fields: &[(&str, f64)]| {
             fields.iter().try_for_each(|(name, value)| check_positive(|| format!("{argument}.{name}"), *value))
         };
         let count = |name: &str, value: u32| {
-            let expected = || format!("1 to {MOST_TEETH}");
-            if (1..=MOST_TEETH).contains(&value) {
+            let expected = || format!("1 to {MAX_TEETH}");
+            if (1..=MAX_TEETH).contains(&value) {
                 Ok(())
             } else {
                 Err(Error::invalid(format!("{argument}.{name}"), value, expected()))
@@ -140,7 +140,7 @@ impl Tool {
         }
     }
 
-    /// How many bodies it is made of.
+    /// The number of its bodies.
     pub fn body_count(&self) -> usize {
         match *self {
             Tool::Comb { teeth, .. } => teeth as usize,
@@ -150,7 +150,7 @@ impl Tool {
         }
     }
 
-    /// The axes of its capsules, in the tool's frame, and their radius; none of plates. In the order of the bodies.
+    /// The axes of its capsules, in the tool's frame, and their radius; none for plates. In the order of the bodies.
     pub fn axes(&self) -> (Vec<[Vector3<f64>; 2]>, f64) {
         let row = |count: u32, spacing: f64, aside: f64, y: f64, end: f64| {
             (0..count).map(move |k| {
@@ -178,8 +178,8 @@ impl Tool {
         }
     }
 
-    /// Where its bodies are when the tool is at `pose`. `opening`: the distance of the plates' faces from each other, m, zero or above; other
-    /// tools have none.
+    /// The poses of its bodies with the tool at `pose`. `opening`: the distance between the plates' faces, m, zero or above;
+    /// other tools ignore it.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`opening`) for a number out of range.
@@ -216,8 +216,9 @@ impl Tool {
         Ok(shapes.into_iter().zip(frames).map(body).collect())
     }
 
-    /// The box in which it heats hair, in its own frame: its middle and half its edges, m. Between plates and in them up to half their thickness, so
-    /// that strands that the faces press are in it; about a barrel, by a quarter of its radius farther. None of other tools.
+    /// The box in which it heats hair, in its own frame: its middle and half its edges, m. Between plates and into them by half
+    /// their thickness, so that it contains strands pressed by the faces; around a barrel, a quarter of its radius beyond. `None`
+    /// for other tools.
     pub fn hot_box(&self, opening: f64) -> Option<(Frame, Vector3<f64>)> {
         let half = match *self {
             Tool::Plates { width, depth, thickness } => 0.5 * Vector3::new(width, opening + thickness, depth),

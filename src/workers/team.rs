@@ -1,31 +1,31 @@
-//! Threads that stay together through many short rounds of work: what handing it out anew would cost is more than what they do in one.
+//! Threads that stay together through many short rounds, each shorter than the cost of handing out work.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
-/// Most pieces of a round.
-const MOST_PIECES: usize = 1 << 15;
-/// How often a thread looks for work before it lets others run, who may need the processor that it is on.
+/// The most pieces in a round.
+const MAX_PIECES: usize = 1 << 15;
+/// How often a thread checks for work before it yields its processor.
 const LOOKS: u32 = 1000;
 
-/// The threads, and what they do.
+/// The threads, and their work.
 pub(crate) struct Team<'a> {
     rounds: Rounds,
-    /// Does a piece of the present round.
+    /// Does one piece of the current round.
     work: &'a (dyn Fn(usize) + Sync),
-    /// Whether there are others than the one who leads.
+    /// Whether there are no threads but the leader.
     alone: bool,
 }
 
-/// Where a team is.
+/// The progress of a team.
 #[derive(Default)]
 struct Rounds {
-    /// How many pieces the round has (above the lowest 16 bits) and which is the next that nobody has taken.
+    /// The number of pieces of the round (above the lowest 16 bits), and the next piece that no thread has taken.
     ticket: AtomicU64,
     /// How many of its pieces are done.
     done: AtomicUsize,
-    /// There are no more rounds.
+    /// No more rounds follow.
     over: AtomicBool,
-    /// Some piece was left in a panic.
+    /// A piece panicked.
     failed: AtomicBool,
 }
 
@@ -34,14 +34,14 @@ impl<'a> Team<'a> {
         Self { rounds: Rounds::default(), work, alone }
     }
 
-    /// A round: the team's work on each of `0..pieces` once, which may not depend on the order. Only for who leads.
+    /// A round: calls the team's work once for each of `0..pieces`. The order must not matter. Only the leader may call it.
     pub(crate) fn each(&self, pieces: usize) {
         if self.alone || pieces == 1 {
             return (0..pieces).for_each(self.work);
         }
-        assert!(pieces <= MOST_PIECES, "{pieces} pieces in a round");
+        assert!(pieces <= MAX_PIECES, "{pieces} pieces in a round");
         let Rounds { ticket, done, failed, .. } = &self.rounds;
-        // All pieces of the round before are done: nobody else writes here now.
+        // All pieces of the last round are done: nobody else writes here now.
         done.store(0, Ordering::Relaxed);
         ticket.store((pieces as u64) << 16, Ordering::Release);
         while self.take() {}
@@ -52,7 +52,7 @@ impl<'a> Team<'a> {
         }
     }
 
-    /// Does what pieces there are until the team is dismissed.
+    /// Works on pieces until the team is dismissed.
     pub(super) fn help(&self) {
         let mut looks = 0;
         while !self.rounds.over.load(Ordering::Acquire) {
@@ -60,13 +60,13 @@ impl<'a> Team<'a> {
         }
     }
 
-    /// Does the next piece. False where there is none.
+    /// Does the next piece; false if there is none.
     fn take(&self) -> bool {
         let next = |ticket: u64| {
             let (next, pieces) = (ticket & 0xffff, ticket >> 16);
             (next < pieces).then_some(next as usize)
         };
-        // Looked at first, so that the count of those taken stays next to that of those there are.
+        // Checked first, so that the count of taken pieces stays close to that of existing ones.
         if next(self.rounds.ticket.load(Ordering::Relaxed)).is_none() {
             return false;
         }
@@ -95,7 +95,7 @@ fn pause(looks: &mut u32) {
     }
 }
 
-/// Does something when it goes, by a panic too.
+/// Runs something when dropped, also by a panic.
 struct OnDrop<F: Fn()>(F);
 
 impl<F: Fn()> Drop for OnDrop<F> {

@@ -1,4 +1,4 @@
-//! An allocator that counts what it is asked for.
+//! An allocator that counts requests.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};

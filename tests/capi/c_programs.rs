@@ -47,7 +47,7 @@ pub(super) fn build() -> &'static Path {
     BUILD.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c");
         let mut command = Command::new(root().join("scripts/build_lib.sh"));
-        // What cargo sets for this test must not reach the cargo inside, or it would build everything anew.
+        // Variables that cargo sets for this test must not reach the cargo inside, or it would rebuild everything.
         for (name, _) in std::env::vars_os() {
             let name = name.to_string_lossy();
             if name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST") || name == "CARGO_BIN_NAME" {
@@ -237,7 +237,7 @@ fn steps_are_limited_and_cancelled_from_c() {
 }
 
 #[test]
-fn elements_change_under_way() {
+fn elements_change_during_a_motion() {
     let path = program("level_of_detail");
     run(&mut Command::new(&path));
     run(&mut valgrind(&path));
@@ -267,7 +267,7 @@ fn friction_is_fitted_from_c() {
 }
 
 #[test]
-fn static_library_states_what_it_needs() {
+fn static_library_lists_its_dependencies() {
     let libraries = static_libraries();
     for library in ["-lm", "-lpthread", "-lc"] {
         assert!(libraries.iter().any(|stated| stated == library), "{libraries:?} has no {library}");

@@ -1,4 +1,4 @@
-//! The bulk fit and splines through the C ABI: the numbers of the Rust functions, whoever works.
+//! The bulk fit and splines through the C ABI: the numbers of the Rust functions, for any workers.
 #![allow(unsafe_code)] // calls of the C ABI
 
 use std::ffi::c_void;
@@ -157,7 +157,7 @@ fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
 }
 
 #[test]
-fn what_curves_may_have_beside_their_points_arrives() {
+fn optional_data_of_curves_is_read() {
     let (points, counts) = groom();
     let (points, counts) = (&points[..7], &counts[..2]);
     let narrow: Vec<[f32; 3]> = points.iter().map(|point| point.map(|number| number as f32)).collect();
@@ -223,7 +223,7 @@ fn what_curves_may_have_beside_their_points_arrives() {
 }
 
 #[test]
-fn spline_points_are_asked_for_and_written() {
+fn spline_points_are_counted_and_written() {
     let controls = [[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.1, 0.1, 0.0], [0.0, 0.1, 0.1], [0.0, 0.0, 0.2]];
     let mut count = 0;
     let mut points = [[0.0; 3]; 17];

@@ -1,4 +1,4 @@
-//! Groom files, caches and kinds of hair through the C ABI: what comes out is what the library gives in Rust.
+//! Groom files, caches and hair types through the C ABI: the results equal those of the library in Rust.
 #![allow(unsafe_code)] // calls through the C ABI
 
 use std::ffi::CString;
@@ -65,7 +65,7 @@ fn numbers(curves: *const shx_curves, what: u32) -> Vec<f32> {
 }
 
 #[test]
-fn what_is_saved_is_read_with_all_that_goes_along() {
+fn saved_curves_are_read_with_all_their_data() {
     let data = data();
     let (rust, text) = path("groom.usda");
     // SAFETY: all that is pointed to is there; handles are freed once.
@@ -200,7 +200,7 @@ fn strands_of_a_kind_are_those_of_the_library() {
 
 /// A Bézier curve along the x axis from 0 to 3, its control points evenly spaced: four chords, arclengths 0 to 3.
 #[test]
-fn arclengths_of_splines_are_told() {
+fn arclengths_of_splines_are_read() {
     let (rust, text) = path("line.usda");
     let line = "#usda 1.0\ndef BasisCurves \"l\" {\nuniform token basis = \"bezier\"\nint[] curveVertexCounts = [4]\n\
         point3f[] points = [(0,0,0),(1,0,0),(2,0,0),(3,0,0)]\n}\n";

@@ -1,4 +1,4 @@
-//! `include/superhelix.h` and `include/exports.txt` are what src/capi says. `SHX_BLESS=1 cargo test --test capi header` writes them.
+//! `include/superhelix.h` and `include/exports.txt` match src/capi. `SHX_BLESS=1 cargo test --test capi header` writes them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -204,12 +204,12 @@ fn compare_or_bless(path: &Path, generated: &str) {
 }
 
 #[test]
-fn the_committed_header_is_what_the_sources_say() {
+fn the_committed_header_matches_the_sources() {
     compare_or_bless(&root().join("include/superhelix.h"), &generate());
 }
 
 #[test]
-fn the_committed_export_list_is_what_the_sources_say() {
+fn the_committed_export_list_matches_the_sources() {
     compare_or_bless(&root().join("include/exports.txt"), &exports());
 }
 

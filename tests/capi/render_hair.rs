@@ -1,4 +1,4 @@
-//! Render hair and scalps through the C ABI: the numbers of the Rust functions, whoever works, into strided memory; guides from a solver; roots
+//! Render hair and scalps through the C ABI: the numbers of the Rust functions, for any workers, into strided memory; guides from a solver; roots
 //! from a scalp that deforms.
 #![allow(unsafe_code)] // calls of the C ABI
 
@@ -348,7 +348,7 @@ fn strands_are_kept_out_of_a_solvers_bodies() {
     let place = input(&roots, 80, SHX_FORMAT_F32X3);
     let settings = shx_render_settings { preserve_length: 1, ..plain() };
     let mut made = Made { hair: null_mut(), pose: null_mut() };
-    // Strands along x; a ball of 2 cm in their way at x = 6 cm, beside it one that touches nothing.
+    // Strands along x; a ball of 2 cm in their path at x = 6 cm, and one beside it that touches nothing.
     let mut bodies = [filled(shx_body_def_init), filled(shx_body_def_init)];
     for body in &mut bodies {
         (body.shape, body.radius) = (SHX_SHAPE_SPHERE, 0.02);

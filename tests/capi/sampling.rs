@@ -1,4 +1,4 @@
-//! Rule 9 of the C ABI: bulk calls into the caller's memory with strides and formats; and that what comes out agrees between formats,
+//! Rule 9 of the C ABI: bulk calls into the caller's memory with strides and formats; and agreement of the outputs between formats,
 //! between bulk and single calls, and between a snapshot and its restore.
 #![allow(unsafe_code)] // calls of the C ABI
 

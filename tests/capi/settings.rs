@@ -33,7 +33,7 @@ fn assert_same(c: &shx_settings, rust: &Settings) {
 }
 
 #[test]
-fn a_host_gets_what_the_library_says() {
+fn a_host_gets_the_librarys_results() {
     let presets = [SHX_PRESET_PREVIEW, SHX_PRESET_BALANCED, SHX_PRESET_ACCURATE];
     for (number, preset) in presets.into_iter().zip(Preset::ALL) {
         // The last curl is tighter than all that were measured.
@@ -58,7 +58,7 @@ fn a_solver_takes_them() {
     let mut settings = new_settings();
     let (mut solver_def, mut strand_def) = (MaybeUninit::<shx_solver_def>::uninit(), MaybeUninit::<shx_strand_def>::uninit());
     let (mut solver, mut id) = (null_mut(), shx_strand_id { bits: 0 });
-    // SAFETY: all pointers are to memory of the right size.
+    // SAFETY: all pointers refer to memory of the right size.
     unsafe {
         assert_eq!(shx_settings_from_preset(SHX_PRESET_PREVIEW, 0.0, 0.2, 1.0 / 30.0, &raw mut settings), SHX_OK);
         assert_eq!(shx_solver_def_init(solver_def.as_mut_ptr(), size_of::<shx_solver_def>()), SHX_OK);

@@ -1,4 +1,4 @@
-//! `superhelix bench`: the shape of the card. What it measures is not looked at, but for what must hold on any machine.
+//! `superhelix bench`: the format of the card. Only values that hold on any machine are checked.
 
 use crate::support::{errors, superhelix};
 use serde_json::Value;

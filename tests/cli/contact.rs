@@ -300,13 +300,13 @@ fn colliders_move_and_deform() {
     let deformation = json!({"times": times, "vertices": [moved(there), moved(here)]});
     let deforming = json!({"shape": "mesh", "vertices": corners(), "triangles": faces(), "deformation": deformation});
     let deforming = tip(&scene(deforming));
-    // The same box three ways, and the strand leans on it: what is left is what friction makes of different ways there.
+    // The same box three times, and a strand that leans on it: the difference comes from friction along different paths.
     assert!(difference(&mesh, &cuboid) < 2e-3, "{mesh:?} {cuboid:?}");
     assert!(difference(&deforming, &mesh) < 2e-3, "{deforming:?} {mesh:?}");
 }
 
 #[test]
-fn strands_meet_what_their_groups_let_them() {
+fn strands_collide_by_their_groups() {
     let directory = directory("groups");
     let floor = json!({"shape": "halfspace", "pose": {"origin": [0, 0, -0.02]}});
     let lowest = |strand: Value, floor: Value| {
@@ -431,7 +431,7 @@ fn attachments_hold() {
         assert!(difference(&tangent, &[0.5f64.sqrt(), 0.0, -0.5f64.sqrt()]) < 1e-6, "{kind}: {tangent:?}");
     }
 
-    // A tie, and what gives way for a force.
+    // A tie, and a compliant constraint.
     let result = run(
         &directory,
         &scene(json!([

@@ -35,7 +35,7 @@ fn a_groom_goes_through_every_format() {
         assert!(answer.contains(&format!("{format}, 517 strands, 8272 points")), "{answer}");
         assert_eq!(Curves::read(path(name)).unwrap().points(), original.points(), "{name}");
     }
-    // Changed on the way.
+    // Changed during conversion.
     succeed(&["convert", &path("a.usda"), &path("e.usda"), "--scale", "0.0031", "--to-z-up", "--every", "100"]);
     let changed = Curves::read(path("e.usda")).unwrap();
     let [x, y, z] = original.strand(100)[3].map(|value| (f64::from(value) * 0.0031) as f32);
@@ -109,7 +109,7 @@ fn a_simulation_leaves_a_cache_with_velocities_and_reads_the_unit() {
     assert_eq!((cache.times().len(), cache.time_codes_per_second()), (7, 30.0));
     let (before, now, after) = (cache.frame(3).unwrap(), cache.frame(4).unwrap(), cache.frame(5).unwrap());
     assert_eq!((now.counts(), now.extras().metres_per_unit), (&[9; 6][..], Some(0.01)));
-    // Velocities are those of the points: to what a difference over two frames can tell of falling hair, a tenth.
+    // Velocities are those of the points, to the accuracy of a difference over two frames of falling hair, a tenth.
     let velocities = now.extras().velocities.as_ref().unwrap();
     let (mut apart, mut fastest) = (0.0_f64, 0.0_f64);
     for (index, velocity) in velocities.iter().enumerate() {

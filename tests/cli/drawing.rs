@@ -1,4 +1,4 @@
-//! `superhelix picture` draws hair: its light, what hides it, bodies beside a cache, animations.
+//! `superhelix picture` draws hair: light, occlusion, bodies beside a cache, animations.
 
 use std::path::Path;
 
@@ -204,7 +204,7 @@ fn a_body_goes_with_the_roots_as_frames_of_its_own_would_say() {
         a.pixels.iter().zip(&b.pixels).map(difference).sum::<f64>() / a.pixels.len() as f64
     };
     assert!(apart(&followed, &given) < 0.1, "{}", apart(&followed, &given));
-    // Boxes that do not turn are told from ones that do.
+    // Boxes that do not turn differ from ones that do.
     let still = place.join("still");
     std::fs::create_dir(&still).unwrap();
     for frame in 0..3 {

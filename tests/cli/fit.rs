@@ -219,7 +219,7 @@ fn a_groom_curls_by_the_sliders() {
 }
 
 #[test]
-fn fit_leaves_out_what_has_no_shape_and_refuses_what_it_cannot_do() {
+fn fit_skips_curves_without_shape_and_refuses_impossible_requests() {
     let place = directory("fit_refuses");
     let path = place.join("groom.obj");
     let good: Vec<[f32; 3]> = (0..6).map(|k| [0.01 * k as f32, 0.002 * (k * k) as f32, 0.0]).collect();

@@ -19,7 +19,7 @@ fn answer(curve: &str, scene: &str, flags: &[&str]) -> Value {
 }
 
 #[test]
-fn the_air_drag_of_a_pendulum_is_found_and_told() {
+fn the_air_drag_of_a_pendulum_is_found_and_reported() {
     let answer = answer("pendulum_20.csv", "pendulum.scene.json", &["--fit", "air_drag", "--direction", "1,0,0"]);
     let found = &answer["coefficients"][0];
     assert_eq!(
@@ -57,7 +57,7 @@ fn a_shaken_curl_is_fitted_by_the_numbers_of_its_oscillation() {
 }
 
 #[test]
-fn what_a_curve_does_not_say_is_said() {
+fn what_a_curve_does_not_determine_is_reported() {
     let flags = ["--fit", "internal_friction", "--grid-points", "3"];
     let answer = answer("straight_shaken_05.csv", "straight_shaken.scene.json", &flags);
     let found = &answer["coefficients"][0];

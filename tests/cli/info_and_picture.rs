@@ -5,7 +5,7 @@ use serde_json::Value;
 use superhelix::io::{Curves, hair, obj};
 
 #[test]
-fn info_counts_what_a_groom_holds() {
+fn info_counts_the_contents_of_a_groom() {
     let output = superhelix(&["info", "--json", &data("blender_curly.hair")]);
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     let info: Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -117,7 +117,7 @@ fn files_may_be_given_and_turned() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_said_and_leaves_nothing() {
+fn undrawable_input_is_reported_and_writes_nothing() {
     let directory = directory("picture_errors");
     let (empty, mixed) = (directory.join("empty"), directory.join("mixed"));
     std::fs::create_dir(&empty).unwrap();

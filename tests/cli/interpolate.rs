@@ -157,7 +157,7 @@ fn frames_come_with_velocities() {
     // Along x as t^2, ten frames a second: the parabola through three frames is the motion itself.
     write_guides(&cache, 4, &|frame, [x, y, z]| [x + 100.0 * (0.1 * f64::from(frame)).powi(2), y, z]);
     let cache = cache.display().to_string();
-    // Mixing alone: what puts points anew on their way rounds once more.
+    // Mixing alone: restoring the points' spacing would round once more.
     let plain = ["--curliness", "0", "--free-length", "--length-variation", "0", "--flyaways", "0"];
     let said = answer(
         &[&["interpolate", &cache, "--fps", "10", "--count", "40", "--points", "8", "--out", &out, "--json"][..], &plain]
@@ -449,7 +449,7 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_are_reported() {
     let place = directory("interpolate_errors");
     let out = place.join("out.hair").display().to_string();
     let (groom, bust) = (data("sintel_hair_001.tfx"), data("sintel_bust.obj"));

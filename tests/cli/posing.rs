@@ -1,4 +1,4 @@
-//! Strands posed from scene files and by `superhelix pose`; shapes taken as rest shapes, and strands stiffened, on the command line.
+//! Strands posed from scene files and by `superhelix pose`; rest shapes and stiffening on the command line.
 
 use std::f64::consts::FRAC_1_SQRT_2 as HALF;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! `superhelix run`: what a good scene gives.
+//! `superhelix run`: the results of good scenes.
 
 use crate::support::{difference, directory, errors, numbers, run, run_text, small_scene, superhelix, with};
 use serde_json::{Value, json};
@@ -29,7 +29,7 @@ fn the_documented_example_runs_as_it_stands() {
 }
 
 #[test]
-fn an_error_tolerance_takes_steps_in_parts_and_halvings_can_be_forbidden() {
+fn an_error_tolerance_subdivides_steps_and_halvings_can_be_forbidden() {
     let scene = with(with(small_scene(), "/error_tolerance", json!(1e-5)), "/max_subdivisions", json!(8));
     let result = run(&directory("parts"), &scene);
     assert!(result["report"]["subdivided"].as_u64().unwrap() > 0);
@@ -61,7 +61,7 @@ fn times_are_exact_and_the_last_step_is_shorter() {
 
 #[test]
 fn free_fall_of_a_shorter_last_step_lasts_as_long() {
-    // The whole strand hangs from a root that moves freely: the position at 0.05 s tells how long was simulated.
+    // The whole strand hangs from a root that moves freely: the position at 0.05 s shows how long the simulation ran.
     let drag = |time_step: f64| {
         let scene = with(with(small_scene(), "/integrator", json!("implicit_euler")), "/time_step", json!(time_step));
         last_tip(&run(&directory("shorter"), &with(scene, "/output_interval", json!(0.05))))

@@ -1,4 +1,4 @@
-//! `superhelix run` in parts: a run that goes on from a snapshot gives what a whole run gives, to the bit.
+//! `superhelix run` in parts: a run continued from a snapshot equals a whole run, to the bit.
 
 use std::path::{Path, PathBuf};
 
@@ -106,7 +106,7 @@ fn bad_parts_are_refused() {
     refused(&["--resume", "a.shxrun", "--until", "2"], "--resume is of state 2, and the run is to end with state 2");
     let bytes = std::fs::read(path.with_file_name("a.shxrun")).unwrap();
     std::fs::write(path.with_file_name("cut.shxrun"), &bytes[..bytes.len() - 3]).unwrap();
-    refused(&["--resume", "cut.shxrun"], "cut.shxrun: snapshot: it states a body of");
+    refused(&["--resume", "cut.shxrun"], "cut.shxrun: snapshot: its header has a body of");
     std::fs::write(&path, with(small_scene(), "/duration", json!(0.06)).to_string()).unwrap();
     refused(&["--resume", "a.shxrun"], "is a snapshot of another scene");
 }

@@ -1,4 +1,4 @@
-//! `superhelix run`: what a bad scene, and bad use, get.
+//! `superhelix run`: errors for bad scenes and bad usage.
 
 use crate::support::{directory, errors, run_text, small_scene, superhelix, with};
 use serde_json::{Value, json};
@@ -125,7 +125,7 @@ fn values_out_of_range_are_named() {
 }
 
 #[test]
-fn what_this_version_does_not_have_is_said() {
+fn unsupported_requests_are_reported() {
     let directory = directory("absent");
     let dense = with(with(small_scene(), "/precision", json!("f32")), "/solver", json!("dense_svd"));
     refuse(&directory, &dense.to_string(), "precision", "f32");

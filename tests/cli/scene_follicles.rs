@@ -39,7 +39,7 @@ fn strands_stand_on_a_mesh_and_go_with_it() {
     let last = result["times"].as_array().unwrap().len() - 1;
     for time in 0..=last {
         let now = roots(&result, time);
-        // The turn of the first root is that of all, at any time: roots move rigidly with the mesh, not on ways of their own.
+        // The first root's rotation is that of all, at any time: roots move rigidly with the mesh, not along paths of their own.
         let turn = now[0][1].atan2(now[0][0]) - first[0][1].atan2(first[0][0]);
         for (now, first) in now.iter().zip(&first) {
             let (sine, cosine) = turn.sin_cos();

@@ -11,7 +11,7 @@ fn answer(arguments: &[&str]) -> Value {
 }
 
 #[test]
-fn presets_and_errors_give_what_the_library_gives() {
+fn presets_and_errors_equal_the_librarys() {
     let curl = HairShape { curvature: 1.0 / 0.01_f64.hypot(0.005 / (2.0 * std::f64::consts::PI)), length: 0.15 };
     let expected = Preset::Balanced.settings(&curl, 1.0 / 24.0).unwrap();
     let said =
@@ -35,7 +35,7 @@ fn presets_and_errors_give_what_the_library_gives() {
 }
 
 #[test]
-fn what_cannot_be_had_is_an_error_that_says_what_can() {
+fn unattainable_accuracy_is_an_error_that_names_the_attainable() {
     for (arguments, words) in [
         (&["--error", "1e-9"] as &[&str], "target_error is 0.000000001"),
         (&["--error", "0.1", "--curl-radius", "1e-4"], "curvature is"),

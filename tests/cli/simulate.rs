@@ -351,7 +351,7 @@ fn degenerate_strands_are_left_out_and_named() {
 }
 
 #[test]
-fn a_cache_is_not_overwritten_unasked() {
+fn a_cache_is_not_overwritten_by_default() {
     let directory = directory("simulate_overwrite");
     let cache = directory.join("cache");
     let groom = data("sintel_hair_001.tfx");

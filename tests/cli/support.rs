@@ -1,4 +1,4 @@
-//! What the tests of the command line share: the binary, a directory of its own for each test, scenes.
+//! Shared code of the command-line tests: the binary, a separate directory for each test, scenes.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

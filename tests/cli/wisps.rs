@@ -1,4 +1,4 @@
-//! `superhelix simulate` of grooms as somebody makes it on the first day: a style holds as firmly as was asked for, and hair drawn into a head comes
+//! `superhelix simulate` of grooms with first-day settings: a style holds as firmly as requested, and hair drawn into a head comes
 //! out of it.
 
 use std::path::Path;
@@ -33,7 +33,7 @@ fn bust_in(directory: &Path) -> String {
     head.to_str().unwrap().to_string()
 }
 
-/// Every so many-th strand of each groom, the head that it was drawn on where we have it.
+/// Every n-th strand of each groom, with the head that it was drawn on where available.
 const GROOMS: [(&str, &str, &str); 6] = [
     ("sintel_hair_001.tfx", "0.01", "6"),
     ("amd_ponytail_tail.tfx", "0.0031", "16"),
@@ -46,7 +46,7 @@ const GROOMS: [(&str, &str, &str); 6] = [
 /// After 3 s of a walk or of jumping and a second of rest: within 2, 5 and 15 % of its length at hold 1, 0.7 and 0.4; bare hair further off; volume
 /// within a tenth at 0.7; every step converged; not more than half a percent of the points deeper than 2 mm in the head.
 #[test]
-fn a_style_holds_as_firmly_as_it_is_asked_to() {
+fn a_style_holds_as_firmly_as_requested() {
     let directory = directory("wisps_hold");
     let bust = bust_in(&directory);
     for (name, motion_name) in [("walk", "walk_figure8_head.csv"), ("jumping", "cmu_jumping_jacks_head.csv")] {
@@ -108,7 +108,7 @@ fn it_is_said_who_rests_as_drawn() {
     let output = superhelix(&[&["simulate"], &fixed[..], &["--bare"]].concat());
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.contains(&format!("{limp} are too limp and will sag")), "{said}");
-    // What is not to rest as drawn is not said to.
+    // Strands that should not rest as drawn are not reported as resting.
     assert!(simulate(&[&fixed[..], &["--natural", "as-drawn"]].concat()).get("resting").is_none());
 }
 
@@ -202,8 +202,8 @@ fn ball(path: &Path, centre: [f64; 3], radius: f64) {
     std::fs::write(path, text).unwrap();
 }
 
-/// Whatever it meets, limp hair whips no faster about a head than without one, but for what bending it round the head may add: steps that end elsewhere than
-/// where forces lead (a chain folded another way is stationary as well) threw tips at twice the speed and more.
+/// Around a head limp hair whips no faster than without one, except for what bending around the head may add: a step must end
+/// where forces lead (a chain folded another way is stationary as well).
 #[test]
 fn a_head_kicks_no_hair() {
     let directory = directory("wisps_kicks");

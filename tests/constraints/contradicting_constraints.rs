@@ -1,4 +1,4 @@
-//! Constraints that cannot hold: told as violated, drawn as near as they go, in bounded time, and without forces beyond measure.
+//! Constraints that cannot hold: reported as violated, satisfied as closely as possible, in bounded time, and without excessive forces.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -84,11 +84,11 @@ fn course_around(
     out
 }
 
-/// Nothing that is told is beyond measure: what takes a strand its own length in a step is 4e-4 N; measured 7e-3.
+/// No reported force is excessive: a force that moves a strand by its own length in a step is 4e-4 N.
 const MOST_FORCE: f64 = 0.05;
 
-/// Alone, and as wisps that touch each other on the way: there every search for touches gives the island a new first attempt, and the second
-/// must come whatever iteration the first ends at (it did not where that was the last before a search: forces of 4e6 N were told).
+/// Alone, and as wisps that come into contact on the way: there every search for contacts gives the island a new first attempt,
+/// and the second must follow at whatever iteration the first ends.
 #[test]
 fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
     let target = Vector3::new(0.12, 0.0, -0.09);
@@ -99,7 +99,7 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
         println!("{model:?} {wisp}: {:e} N, {} sweeps", out.force, out.sweeps);
         assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0), "{model:?} {wisp}");
         assert!(out.force < MOST_FORCE, "{model:?} {wisp}: {:e} N", out.force);
-        // Straight there from its root but for what the bond that gives way and its weight leave: a few millimetres.
+        // Straight there from its root, except for the compliant constraint and its weight: a few millimetres.
         for ((def, tip), state) in hanging().iter().zip(&out.tips).zip(&out.states) {
             let reach = (target - def.root.origin).norm() - LENGTH;
             let left = (target - tip).norm();
@@ -109,9 +109,8 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
     }
 }
 
-/// Wisps pinned together behind a ball, in reach: what touches presses them is settled by penalties step by step, and meanwhile the pins hold. (An
-/// island of theirs that leaves its contact problem unsolved now and then is not idle: ended for that, 95 of 480 were told as violated, 265 of
-/// others.)
+/// Wisps pinned together behind a ball, in reach: penalties settle the contacts that press them step by step, and meanwhile the
+/// pins hold. (An island of theirs whose contact problem stays unsolved now and then is not idle, and must not end for that.)
 #[test]
 fn wisps_pinned_behind_a_ball_are_held() {
     let target = Vector3::new(0.039_819, 0.0, -0.063_249);
@@ -130,7 +129,7 @@ fn wisps_pinned_behind_a_ball_are_held() {
 
 /// Two points of a strand pinned further apart than it is long between them; a frame and a tangent close to it that contradict it.
 #[test]
-fn bonds_that_contradict_each_other_are_told() {
+fn contradictory_constraints_are_reported() {
     let apart = |ids: &[StrandId]| {
         let of = |id: &StrandId| {
             [held(*id, 0.05, Hold::Point, at([0.02, 0.0, -0.04])), held(*id, 0.09, Hold::Point, at([-0.04, 0.0, -0.05]))]

@@ -1,4 +1,4 @@
-//! Hard constraints: points, tangents, frames, ties, loops and rings.
+//! Bilateral constraints: points, tangents, frames, ties, loops and rings.
 
 mod contradicting_constraints;
 mod moving_targets;

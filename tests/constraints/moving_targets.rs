@@ -1,4 +1,4 @@
-//! Hard constraints on their way: what is held is where its target is, to 1e-9 m after every step, and pulls as statics says.
+//! Bilateral constraints in motion: constrained points are at their targets, to 1e-9 m after every step, and their forces agree with statics.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use superhelix::{
     ConstraintDef, ConstraintStatus, Frame, Friction, Hold, Integrator, Solver, SolverOptions, StrandDef, StrandId,
 };
 
-/// What the issue of constraints is: to hold.
+/// The required accuracy.
 const EXACT: f64 = 1e-9;
 
 fn sample(solver: &Solver, id: StrandId, arclength: f64) -> Frame {
@@ -217,7 +217,7 @@ fn a_moving_ring_rubs_by_coulombs_law() {
             let (along, went) = (state.force.dot(&tangent), state.arclength - before);
             let across = (state.force - tangent * along).norm();
             before = state.arclength;
-            // The ring goes towards the tip over the hair: along the scales, and drags the strand that way.
+            // The ring goes towards the tip over the hair: along the scales, and drags the strand along.
             let allowed = if along > 0.0 { friction.along } else { friction.against } * across;
             assert!(along.abs() <= allowed * (1.0 + 1e-3) + 1e-9, "step {step}: {along:e} of {allowed:e}");
             if went.abs() > 1e-5 {

@@ -1,4 +1,4 @@
-//! Hard constraints: they hold to 1e-9 m, their forces are those that statics asks for, and sets that cannot hold are told.
+//! Bilateral constraints: they hold to 1e-9 m, their forces agree with statics, and contradictory sets are reported.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::{
@@ -7,7 +7,7 @@ use superhelix::{
 
 const GRAVITY: f64 = 9.81;
 
-/// A strand of 10 cm, stiff enough to be a rod and damped enough to come to rest.
+/// A strand of 10 cm, stiff enough to be a rod and damped enough to settle.
 fn strand(elements: usize) -> StrandDef {
     let mut def = StrandDef::straight(0.1, elements);
     def.material.viscosity = 0.05;
@@ -176,7 +176,7 @@ fn ties_hold_strands_together_and_close_loops() {
         let report = solver.step(1.0 / 60.0, 1).unwrap();
         let apart = point(&solver, ids[0], 0.07) - point(&solver, ids[1], 0.08);
         let open = point(&solver, ids[2], 0.1) - point(&solver, ids[2], 0.03);
-        // A straight strand is not closed to a loop in one step: it is on its way first, and told to be.
+        // A straight strand does not close to a loop in one step: at first the constraint is reported as violated.
         let told = step < 3 && solver.constraint_state(held[1]).unwrap().status == ConstraintStatus::Violated;
         assert!(apart.norm() < 1e-9 && (told || open.norm() < 1e-9), "step {step}: {apart:?} {open:?} {report:?}");
     }
@@ -185,7 +185,7 @@ fn ties_hold_strands_together_and_close_loops() {
         assert_eq!(state.status, ConstraintStatus::Holds);
         assert!(state.force.norm() > 0.0 && state.error < 1e-9);
     }
-    // Without its strand a constraint is gone too.
+    // Removing a strand removes its constraints.
     solver.remove_strands(&ids[1..2]).unwrap();
     assert!(solver.constraint_state(held[0]).is_err() && solver.constraint_state(held[1]).is_ok());
     run(&mut solver, 5);
@@ -229,7 +229,7 @@ fn a_ring_slides_along_the_strand_and_lets_go_at_its_tip() {
 }
 
 #[test]
-fn what_cannot_hold_is_told() {
+fn impossible_constraints_are_reported() {
     let mut solver = solver(Integrator::ImplicitEuler);
     let ids = solver.add_strands(&[strand(10), strand(10), strand(10)]).unwrap();
     let at = [0.08, 0.0, -0.01];
@@ -285,7 +285,7 @@ fn bad_constraints_are_refused_and_change_nothing() {
 
 #[test]
 fn a_direction_is_held_its_own_way_round() {
-    // Backwards to begin with: the tangent at the tip is to turn by up to 170°.
+    // Initially backwards: the tangent at the tip must turn by up to 170°.
     for angle in [0.4_f64, 1.57, 2.2, 2.96] {
         let mut solver = solver(Integrator::ImplicitEuler);
         let id = solver.add_strands(&[strand(12)]).unwrap()[0];

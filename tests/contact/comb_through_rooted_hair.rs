@@ -1,4 +1,4 @@
-//! A comb that passes right through a tuft, close to the roots, in long steps: what is not solved, by steps and substeps. What docs/notebook/contact.md says of
+//! A comb that passes right through a tuft, close to the roots, in long steps: what remains unsolved, by steps and substeps. What docs/notebook/contact.md says of
 //! it under "Long steps through rooted hair" is this table: `cargo test --test contact comb -- --ignored --nocapture`.
 
 use std::f64::consts::PI;
@@ -27,7 +27,7 @@ struct Outcome {
 }
 
 /// Curved hairs of 5 cm and eight elements stand on a plane; a comb whose teeth are `between` from each other goes through them. Strands that are left
-/// deep take their substep in parts, halved so often at most.
+/// deep are subdivided, with at most this many halvings.
 fn comb(model: ContactModel, between: f64, speed: f64, substeps: u32, max_subdivisions: u32) -> Outcome {
     let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), ..SolverOptions::default() };
     (options.contact.model, options.step.max_subdivisions) = (model, max_subdivisions);
@@ -74,7 +74,7 @@ fn a_comb_through_rooted_hair_in_short_steps() {
     assert!(out.deepest < 1e-3, "{out:?}");
 }
 
-/// In long steps hairs are taken over by teeth, and are left deep in them; in parts most of these steps are solved. The others take none.
+/// In long steps teeth pass over hairs and leave them deep inside; with substeps most of these steps are solved. The others need none.
 #[test]
 fn a_comb_through_rooted_hair_in_long_steps() {
     let [whole, in_parts] = [0, 3].map(|levels| comb(ContactModel::Coulomb, 2.5e-3, 0.6, 1, levels));

@@ -1,4 +1,4 @@
-//! The contact-space problem: its solver against the laws, on strands that answer to forces as cantilevers do (Euler and Bernoulli's
+//! The contact-space problem: its solver against the laws, on strands that respond to forces like cantilevers (Euler and Bernoulli's
 //! G(s, t) = s² (3 t − s)/6 for s ≤ t), and bonds against what they must hold.
 
 use crate::numbers::Numbers;
@@ -225,9 +225,9 @@ fn bonds_hold_over_several_touches() {
 }
 
 #[test]
-fn bonds_that_depend_on_each_other_are_told() {
+fn dependent_constraints_are_reported() {
     let off = Vector3::new(1e-3, -2e-3, 3e-3);
-    // Twice the same: consistent, and told with no miss.
+    // Twice the same: consistent, and reported without residual.
     let (space, forces, report) = held(&[(end(0, 2), None, PIN, off), (end(0, 2), None, PIN, off)]);
     assert_eq!(report.dependent.len(), 3);
     assert!(
@@ -262,8 +262,8 @@ fn bonds_hold_beside_contacts() {
 }
 
 #[test]
-fn pins_of_many_strands_cost_what_each_costs() {
-    // Counted, not timed: a strand's pin moves its own points only, so that nobody's forces depend on how many others there are.
+fn pins_of_many_strands_cost_the_sum_of_each() {
+    // Counted, not timed: a strand's pin moves its own points only, so that no strand's forces depend on the number of others.
     let alone = held(&[(end(0, 2), None, PIN, Vector3::x())]).1[0];
     let mut space = ContactSpace::default();
     space.reset(STEP).unwrap();

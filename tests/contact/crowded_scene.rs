@@ -1,4 +1,4 @@
-//! A scene full of contact, and the hashes that its course must come to on every machine.
+//! A scene full of contact, and the golden hashes of its course on every machine.
 
 use std::sync::Arc;
 

@@ -10,7 +10,7 @@ use superhelix::{BodyDef, Shape};
 use super::random_bodies::{Dice, bumpy};
 
 #[test]
-fn a_refitted_mesh_answers_as_one_built_anew() {
+fn a_refitted_mesh_answers_like_a_new_one() {
     let mut dice = Dice(21);
     let (mut vertices, triangles) = bumpy(0.1, 3);
     let mut mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
@@ -37,7 +37,7 @@ fn a_refitted_mesh_answers_as_one_built_anew() {
 }
 
 #[test]
-fn a_deforming_body_tells_how_far_its_surface_goes() {
+fn a_deforming_body_reports_the_displacement_of_its_surface() {
     let (vertices, triangles) = bumpy(0.1, 2);
     let shape = Arc::new(Shape::new_mesh(vertices.clone(), triangles, Sides::Solid).unwrap());
     let mut body = Body::new(BodyDef::new(shape.clone())).unwrap();
@@ -48,7 +48,7 @@ fn a_deforming_body_tells_how_far_its_surface_goes() {
         let at = body.at(0, 0.01);
         let surface = at.shape.closest(Vector3::new(0.11, 0.03, 0.02), 1.0).unwrap();
         let carried = at.carried(&surface);
-        // Half of the way in each of two substeps; at the surface's place the stretch is that of the triangle, linear in the place.
+        // Half of the displacement in each of two substeps; at the surface's place the stretch is that of the triangle, linear in the place.
         let after = [0.5, 1.0, 1.0][substep];
         let factor = Vector3::new(1.0 + 0.2 * after, 1.0, 1.0 - 0.1 * after);
         let rest = surface.point.component_div(&factor);
@@ -57,7 +57,7 @@ fn a_deforming_body_tells_how_far_its_surface_goes() {
         body.finish(0.01);
     }
     assert_eq!(body.def().shape.mesh().unwrap().vertices(), &stretched[..]);
-    // The shape that others share stays.
+    // The shared shape stays the same.
     assert_eq!(shape.mesh().unwrap().vertices(), &vertices[..]);
     let mut sphere = Body::new(BodyDef::new(Arc::new(Shape::new_sphere(1.0).unwrap()))).unwrap();
     assert!(sphere.set_vertices(&vertices, 0.0).unwrap_err().to_string().contains("only triangle meshes"));

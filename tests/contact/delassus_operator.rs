@@ -1,4 +1,4 @@
-//! What a strand answers to forces at its stations, against dense matrices and differences of positions.
+//! A strand's response to forces at material points, against dense matrices and differences of positions.
 
 use nalgebra::{DMatrix, DVector};
 use superhelix::internals::chain::delassus::Delassus;
@@ -116,7 +116,7 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
                 }
             }
         }
-        // Every second case has springs at some of its stations, JᵀKJ.
+        // Every second case has springs at some of its material points, JᵀKJ.
         let springs_at: Vec<Option<Mat3<f64>>> = (0..case.stations.len())
             .map(|k| {
                 let (a, b) = (pseudo.vector(), pseudo.vector().scale(0.5));

@@ -21,7 +21,7 @@ fn a_grid_is_near_its_mesh() {
             let exact = mesh.closest(point, f64::INFINITY).unwrap();
             match grid.closest(point) {
                 Some(surface) => {
-                    // Distances change by at most the way, so a cell's corners differ from it by at most its diagonal.
+                    // Distances change by at most the displacement, so a cell's corners differ by at most its diagonal.
                     assert!((surface.distance - exact.distance).abs() < cell * 3f64.sqrt());
                     if exact.distance.abs() < 0.01 {
                         largest = largest.max((surface.distance - exact.distance).abs());
@@ -142,7 +142,7 @@ fn a_grid_that_cannot_be_is_refused() {
 
 #[test]
 fn a_mesh_with_an_opening_is_baked_as_if_closed() {
-    // A ball whose bottom is cut off, and one of whose triangles is missing elsewhere; the closed ball tells what the grid should be.
+    // A ball whose bottom is cut off, and one of whose triangles is missing elsewhere; the closed ball gives the expected grid.
     let (vertices, triangles) = ball(0.1, 4);
     let solid = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
     let middle = |triangle: &[u32; 3]| triangle.iter().map(|v| vertices[*v as usize]).sum::<Vector3<f64>>() / 3.0;
@@ -162,7 +162,7 @@ fn a_mesh_with_an_opening_is_baked_as_if_closed() {
             assert!((found.distance - expected.distance).abs() < 2.4e-4, "{point} {found:?} {expected:?}");
             inside += usize::from(found.distance < 0.0);
         }
-        // A distance it is everywhere: it grows by no more than the way, to what spreading and interpolation leave.
+        // It is a distance everywhere: it grows by no more than the displacement, up to errors of spreading and interpolation.
         let step = dice.direction() * 0.004;
         if let Some(there) = grid.closest(point + step) {
             assert!((there.distance - found.distance).abs() < 1.8 * 0.004, "{point}: {} {}", found.distance, there.distance);

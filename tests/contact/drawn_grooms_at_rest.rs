@@ -1,4 +1,4 @@
-//! Grooms as they are drawn are at rest with contact and constraints as well: rest shapes carry all weight, so that pins, rings and touches carry
+//! Drawn grooms are at rest with contact and constraints as well: rest shapes carry all weight, so that pins, rings and contacts carry
 //! none, and what was drawn into something is allowed to be there (`Solver::allow_overlaps`).
 
 use std::sync::Arc;
@@ -46,7 +46,7 @@ fn points(solver: &Solver, ids: &[StrandId]) -> Vec<Vector3<f64>> {
     out
 }
 
-/// The furthest that any point goes in so many seconds, over its strand's length; and the largest force of a touch against the lightest strand's weight.
+/// The largest displacement of any point in some seconds, relative to its strand's length; and the largest contact force relative to the lightest strand's weight.
 fn moves(solver: &mut Solver, ids: &[StrandId], seconds: f64) -> (f64, f64) {
     let before = points(solver, ids);
     let lengths: Vec<f64> = ids.iter().map(|id| solver.element_lengths(*id).unwrap().iter().sum()).collect();
@@ -201,7 +201,7 @@ fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed()
         assert_eq!(solver.state_hash(), hash);
         solver.step(1.0 / 60.0, 3).unwrap();
         assert_eq!(solver.state_hash(), after);
-        // What is allowed can be taken away, and is missed then.
+        // Permitted overlaps can be removed, and then contact acts.
         solver.set_allowances(&ids, &vec![None; ids.len()]).unwrap();
         assert!(moves(&mut solver, &ids, 0.5).0 > 1e-3, "{model:?}");
     }

@@ -1,4 +1,4 @@
-//! The laws of touches and their exact solves for one touch: against the laws themselves, and against a search of all directions.
+//! The contact laws and their exact solves for one contact: against the laws themselves, and against a search of all directions.
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
@@ -11,7 +11,7 @@ use superhelix::internals::contact::law::{Law, LawSolve};
 
 const STEP: f64 = 1.0 / 60.0;
 
-/// What the laws need beside.
+/// The other parameters of the laws.
 trait Draws {
     fn response(&mut self, decades: f64) -> Matrix3<f64>;
     fn coefficient(&mut self, most: f64) -> Coefficient;
@@ -79,7 +79,7 @@ fn a_contact_alone_obeys_its_law_to_rounding() {
         let law = Law::Contact(contact);
         let (residual, lambda) = own_residual(&law, &w, &free);
         assert!(lambda.iter().all(|x| x.is_finite()), "case {case}");
-        // Length is a sum of terms that may cancel and force a solution with condition 1e8: what is left is a few roundings of either.
+        // Length is a sum of terms that may cancel and force a solution with condition 1e8: the error is a few roundings of either.
         assert!(residual < 1e-11, "case {case}: {residual:e} {contact:?} {w:?} {free:?}");
         worst = worst.max(residual);
         let normal = lambda.dot(&contact.normal);
@@ -243,7 +243,7 @@ fn going_over_a_hair_from_root_to_tip_meets_less_friction() {
 }
 
 #[test]
-fn bonds_hold_what_they_name() {
+fn constraints_hold_their_points() {
     let mut numbers = Numbers(3);
     for case in 0..3000 {
         let w = numbers.response(6.0);

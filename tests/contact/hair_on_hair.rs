@@ -1,4 +1,4 @@
-//! Contact in whole scenes: strands on strands, scales, braids, skin that deforms, and scenes in which nothing touches.
+//! Contact in whole scenes: strands on strands, scales, braids, skin that deforms, and scenes without contact.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -203,7 +203,7 @@ fn a_strand_slides_along_its_scales_and_sticks_against_them() {
     };
     let (along, against) = ((friction.along * PI).exp(), (-friction.against * PI).exp());
     let drawn = go(2e-4, 60);
-    // A limp strand's root gives way by next to nothing, so the tension falls at once: what sticks is seen in the tip alone.
+    // A limp strand's root hardly yields, so the tension falls at once: sticking shows only at the tip.
     let back = go(-2e-4, 60);
     println!("drawn: {drawn:?} of {along}; back: {back:?} of {against}");
     assert!((drawn.0 / along - 1.0).abs() < 0.02, "{drawn:?} {along}");
@@ -279,7 +279,7 @@ fn wisps_thrown_at_each_other_settle_and_gain_no_energy() {
         assert!(speeds[0] > 1.0 && speeds[1] < -1.0 && (speeds[0] - speeds[1]) * h > 4.0 * radius && hits > 1);
         assert!(grown < 1e-6 * first, "{grown:e} of {first:e}");
         assert!(nearest > 2.0 * radius - 2e-5, "{nearest}");
-        // The blow itself is a step that the hard model at times gives up on (and takes with touches that give way).
+        // The blow itself is a step that the hard model sometimes cannot solve (and takes with compliant contacts).
         assert!(last < 1e-3 * first && unconverged <= 1, "{last:e} of {first:e}, {unconverged}");
     }
 }

@@ -1,4 +1,4 @@
-//! Hair against hair: every touch is found, once, and exact. Against dense sampling of the centrelines, and against a search made anew.
+//! Hair against hair: every contact is detected once, exactly. Against dense sampling of the centrelines, and against a fresh search.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -99,7 +99,7 @@ impl Strand {
     }
 }
 
-/// All touches of strands on their way from `then` to `now`.
+/// All contacts of strands moving from `then` to `now`.
 fn touches_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<Touch>) {
     pairs.begin_step();
     touches_at_iterate(pairs, then, now)
@@ -287,7 +287,7 @@ fn touches_do_not_depend_on_which_strand_is_first() {
 }
 
 #[test]
-fn strands_along_each_other_touch_at_the_ends_of_what_they_share() {
+fn strands_along_each_other_touch_at_the_ends_of_their_common_length() {
     // Elements end at 0, 25, 50, 75 and 100 mm, and the partner's at 30, 70 and 110 mm: they share 30 to 100 mm.
     for tilt in [0.0, 1e-9, 1e-3] {
         let a = Strand::straight(Vector3::zeros(), Vector3::new(0.1, 0.0, 0.0), 4);
@@ -388,7 +388,7 @@ fn crossing(from: f64, down: f64, angle: f64) -> (Vec<Strand>, Vec<Strand>) {
 #[test]
 fn strands_that_passed_through_each_other_keep_their_side() {
     for angle in [0.0, 0.05, 0.7, 1.5] {
-        // Thirty radii of way in a step: what 2 m/s is in 1/60 s.
+        // A displacement of thirty radii in a step: 2 m/s in 1/60 s.
         let (then, now) = crossing(5e-3, 33e-3, angle);
         let mut pairs = HairPairs::default();
         pairs.set(&wisps(2, 1e-3), &options(0.5e-3, 0.0)).unwrap();
@@ -410,7 +410,7 @@ fn strands_that_passed_through_each_other_keep_their_side() {
         for touch in touches.iter().filter(at_crossing) {
             assert!(touch.normal.z < -0.999_999 && (touch.gap + 2.5e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
         }
-        // Deep inside from the start: out by the shortest way.
+        // Deep inside from the start: out along the shortest path.
         let (then, now) = crossing(0.2e-3, 0.4e-3, angle);
         let (_, touches) = touches_between(&mut pairs, &then, &now);
         assert!(touches.iter().filter(at_crossing).count() >= 1);
@@ -421,7 +421,7 @@ fn strands_that_passed_through_each_other_keep_their_side() {
 }
 
 #[test]
-fn what_turns_together_or_goes_round_has_not_crossed() {
+fn common_rotations_and_detours_are_not_crossings() {
     // Both turn by two radians about the first: normals turn with them.
     let (then, _) = crossing(1.95e-3, 0.0, 0.7);
     let mut now = then.clone();

@@ -1,4 +1,4 @@
-//! What one island comes to is no business of another's.
+//! Islands are independent of each other.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use superhelix::{
 const STEP: f64 = 1.0 / 60.0;
 const STEPS: usize = 12;
 
-/// What a step took: sweeps, searches, islands that have not come to their end.
+/// The cost of a step: sweeps, searches, islands that have not converged.
 type Tally = (u64, u32, u32);
 
 fn at(x: f64, y: f64, z: f64) -> Frame {
@@ -58,10 +58,10 @@ fn course(sheaves: usize, contradicted: bool) -> Vec<Tally> {
         .collect()
 }
 
-/// Every search that finds something makes all islands anew: one that has been given up was taken through both attempts again each time, which
-/// made steps of a second last twenty.
+/// Every search that finds something rebuilds all islands: one that was given up must not go through both attempts again each
+/// time.
 #[test]
-fn an_island_that_is_given_up_is_not_solved_again_for_what_others_find() {
+fn an_island_that_is_given_up_is_not_solved_again_for_contacts_of_others() {
     let (falling, contradicted, both) = (course(6, false), course(0, true), course(6, true));
     let most = falling.iter().map(|(_, searches, _)| *searches).max().unwrap();
     assert!(most >= 1, "nothing is found later: {falling:?}");

@@ -1,4 +1,4 @@
-//! Steps are bounded: heads that jump, bodies that go through hair at any speed, budgets, and strands that come back from where they were lost.
+//! Steps are bounded: heads that jump, bodies that go through hair at any speed, budgets, and diverged strands that return.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -113,7 +113,7 @@ fn hair_goes_along_with_a_head_that_jumps() {
     }
 }
 
-/// Where nothing jumps nobody is carried, and with an infinite limit nobody ever.
+/// Without jumps no strand is carried, and with an infinite limit none ever is.
 #[test]
 fn only_what_hair_cannot_follow_is_a_jump() {
     let mut head = Head::new(ContactModel::Coulomb, 50, Workers::default());
@@ -188,7 +188,7 @@ fn work_is_bounded_and_the_same_for_any_number_of_threads() {
         let mut head = Head::new(ContactModel::Coulomb, 50, workers);
         let (mut left, mut hash) = (0, 0_u64);
         for step in 0..40 {
-            // Thrown about by a few centimetres a frame, from frame to frame another way.
+            // Thrown about by a few centimetres per frame, in a different direction each time.
             let x = f64::from(step * step % 7) * 0.012;
             let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.2 * f64::from(step * 5 % 3));
             head.send(Vector3::x() * x, turn);
@@ -234,7 +234,7 @@ fn a_cancelled_step_leaves_everything_whole() {
 
 /// A strand that cannot be solved at all for a while comes back by itself within half a second, and an image in the middle of that goes on bit for bit.
 #[test]
-fn what_was_lost_comes_back() {
+fn diverged_strands_return() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let mut def = StrandDef::straight(0.1, 5);
     // Velocities beyond all numbers: its state turns non-finite in every step.
@@ -301,7 +301,7 @@ struct ThinRod {
     x: f64,
     /// How each strand winds about the rod.
     winding: Vec<f64>,
-    /// Strands that the rod came through: those that came to wind about it the other way by more than half a turn at once. (One whose tip is
+    /// Strands that the rod came through: those whose winding about it changes by more than half a turn at once. (One whose tip is
     /// flung over the rod does so as well, but little by little.)
     behind: Vec<bool>,
 }

@@ -1,4 +1,4 @@
-//! Bodies on their way.
+//! Bodies in motion.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ fn a_body_arrives_where_it_was_sent_and_rests() {
         body.begin(0.01);
         let at = body.at(0, 0.01);
         assert_eq!(at.start, place);
-        // Its box holds the sphere wherever it is.
+        // Its box contains the sphere throughout the motion.
         for u in [0.0, 0.3, 0.7, 1.0] {
             let centre = at.start.origin.lerp(&at.end.origin, u);
             assert!(at.bounds.holds(&(centre + Vector3::x() * 0.1)) && at.bounds.holds(&(centre - Vector3::z() * 0.1)));

@@ -1,4 +1,4 @@
-//! Near something is not touching: a strand beside a body, or beside others, that nothing presses moves as it would alone.
+//! Nearness is not contact: a strand beside a body, or beside others, without pressure moves as it would alone.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ const LENGTH: f64 = 0.15;
 /// How far the swinging strands' centrelines are from a wall, and from each other, m: touches are looked for within a millimetre.
 const NEAR: f64 = 5e-4;
 
-/// What strands swing beside.
+/// The obstacle beside the swinging strands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Beside {
     Nothing,

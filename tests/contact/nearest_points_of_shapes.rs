@@ -186,7 +186,7 @@ fn nearest_points_are_those_of_dense_sampling() {
             } else {
                 outsides += 1
             }
-            // Nearness decides whether it is told.
+            // Nearness decides whether it is reported.
             assert!(shape.closest(point, surface.distance - 1e-9).is_none() || surface.distance < 0.0);
             assert!(shape.closest(point, surface.distance + 1e-9).is_some());
         }
@@ -214,7 +214,7 @@ fn an_ellipsoid_is_exact_where_iterations_are_hard() {
             let surface = shape.closest(point, f64::INFINITY).unwrap();
             let on = surface.point.component_div(&semi_axes).norm();
             assert!((on - 1.0).abs() < 1e-14, "{semi_axes} {point} {on}");
-            // The way from it is along the normal: nearest or farthest; and no point beside it is nearer.
+            // The offset from it is along the normal: nearest or farthest; and no point beside it is nearer.
             let out = point - surface.point;
             let across = out - surface.normal * surface.normal.dot(&out);
             worst = worst.max(across.norm() / (1e-3 * semi_axes.max() + out.norm()));
@@ -225,7 +225,7 @@ fn an_ellipsoid_is_exact_where_iterations_are_hard() {
             }
         }
     }
-    // Rounding of the point, against the way to it.
+    // Rounding of the point, against the distance to it.
     assert!(worst < 1e-9, "{worst}");
 }
 

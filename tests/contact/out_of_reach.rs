@@ -1,4 +1,4 @@
-//! Strands that a body is near step as if it were not there, at the price of that; where this brings them to it, it stops them.
+//! Strands that a body is near step like free strands, at that cost; where this brings them to it, it stops them.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -123,7 +123,7 @@ fn depth(solver: &Solver, ids: &[StrandId], pose: &Frame) -> f64 {
     deepest
 }
 
-/// Limp hair at rest beside the head, which then goes off without notice, as fast as it likes: nothing in the hair's own motion tells of it.
+/// Limp hair at rest beside the head, which then moves off suddenly at any speed: nothing in the hair's own motion predicts it.
 #[test]
 fn a_sudden_start_takes_no_strand_into_the_body() {
     for grid in [false, true] {
@@ -148,7 +148,7 @@ fn a_sudden_start_takes_no_strand_into_the_body() {
     }
 }
 
-/// Which strands are looked at anew decides nothing: a run goes on from any snapshot to the same bits.
+/// Which strands are searched again has no effect: a run continues from any snapshot with the same bits.
 #[test]
 fn a_snapshot_goes_on_to_the_same_bits() {
     let (mut solver, ids, body) = scene(Some(head(true)), 1e10);

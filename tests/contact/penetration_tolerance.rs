@@ -1,4 +1,4 @@
-//! What contact promises whatever it saves: nothing that touches is missed, though strands that have not moved are not searched again; and what
+//! Guarantees of contact despite its savings: no contact is undetected, though strands that have not moved are not searched again; and what
 //! is not solved is said not to be, and seen in the contact list.
 
 use std::f64::consts::PI;
@@ -15,7 +15,7 @@ const BALL: f64 = 0.03;
 const LENGTH: f64 = 0.1;
 /// The natural curvature of a strand that presses on another, 1/m.
 const DOWN: f64 = 30.0;
-/// Places that a strand is looked at: with curvatures up to 100/m the line through them is within a micrometre of it.
+/// Places at which a strand is sampled: with curvatures up to 100/m the line through them is within a micrometre of it.
 const PLACES: usize = 301;
 
 fn lines(solver: &Solver, ids: &[StrandId]) -> Vec<Vec<Vector3<f64>>> {
@@ -31,7 +31,7 @@ fn apart(one: &[Vector3<f64>], other: &[Vector3<f64>]) -> f64 {
             let way = edge[1] - edge[0];
             (p - edge[0] - way * ((p - edge[0]).dot(&way) / way.norm_squared()).clamp(0.0, 1.0)).norm()
         };
-        // What is a centimetre off is far.
+        // A centimetre away counts as far.
         line.windows(2).filter(|edge| (p - edge[0]).norm_squared() < 1e-4).map(to_edge).fold(f64::INFINITY, f64::min)
     };
     let one_way = one.iter().map(|p| of_edges(p, other)).fold(f64::INFINITY, f64::min);
@@ -58,7 +58,7 @@ fn falling(
     max_subdivisions: u32,
 ) -> (Solver, Vec<StrandId>, Vec<StrandDef>) {
     let contact = ContactOptions { model, hair: true, ..options };
-    // A root that is turned over is to be followed, not jumped to.
+    // A root that is turned over must be followed, without a jump.
     let mut options = SolverOptions { contact, jump_acceleration: f64::INFINITY, ..SolverOptions::default() };
     options.step.max_subdivisions = max_subdivisions;
     let mut solver = Solver::new(options).unwrap();
@@ -93,7 +93,7 @@ fn swung(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) -
 }
 
 /// Wherever a step has converged, no place of any strand is deeper in anything than the tolerance: also where the search at the step's end, which
-/// leaves out strands that have come to rest, was asked several times.
+/// leaves out strands at rest, ran several times.
 #[test]
 fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
     {
@@ -104,7 +104,7 @@ fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
         for step in 0..90 {
             let ball = swung(&mut solver, &ids, &defs, step);
             let report = solver.step(1.0 / 60.0, 1).unwrap();
-            // What was drawn in each other has parted after two steps.
+            // Initial overlaps have separated after two steps.
             if report.contact.unconverged > 0 || step < 2 {
                 continue;
             }
@@ -119,10 +119,10 @@ fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
     }
 }
 
-/// An island that may not be solved to its end is told as unconverged, with its strands, and the report says how deep it was left; the contact list
+/// An island that may not be solved fully is reported as unconverged, with its strands, and the report gives its remaining depth; the contact list
 /// what pressed.
 #[test]
-fn islands_that_end_early_are_told_and_how_deep_they_are() {
+fn islands_that_end_early_are_reported_with_their_depth() {
     for (model, halvings) in [ContactModel::Coulomb].into_iter().flat_map(|model| [(model, 0), (model, 3)]) {
         let few = ContactOptions { max_iterations: 2, ..ContactOptions::default() };
         let (mut solver, ids, defs) = falling(model, 8, few, halvings);
@@ -137,7 +137,7 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
                     solver.contacts().iter().filter(|touch| matches!(touch.partner, ContactPartner::Strand { .. }) == hair);
                 those.map(|touch| -touch.gap).fold(0.0, f64::max)
             };
-            // What the report says is what the list has, and more where something presses nothing.
+            // The report has the depths of the list, and more where no force acts.
             assert!(of_list(true).max(of_list(false)) <= report.contact.penetration, "{report:?}");
             // Islands are counted in each part.
             assert!(report.unconverged <= 8, "{report:?}");
@@ -149,7 +149,7 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
             assert!(report.unconverged > 0 && (halvings > 0 || report.unconverged >= report.contact.unconverged), "{report:?}");
             told += report.contact.unconverged;
             strands += report.unconverged;
-            // As deep as it is, also where it was seen too late to be held off (and is not in the list, since no force acts there).
+            // The true depth, also where the contact was detected too late (and is not in the list, since no force acts there).
             let most = sampled.0.max(sampled.1);
             if most > 1e-4 {
                 assert!(report.contact.penetration > 0.9 * most, "step {step}: {most:e} {report:?}");
@@ -157,15 +157,15 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
             }
         }
         println!("{model:?}, {halvings} halvings: {told} islands of {strands} strands told, {deep:e} m deep");
-        // In parts most come to their end.
+        // With substeps most converge.
         assert!(halvings > 0 || told > 5 && deep > 1e-4, "{told} {deep:e}");
     }
 }
 
-/// A strand between two walls that close on it cannot be outside both. It gives way, and is told; those that it hangs together with hold as ever,
-/// and go on rubbing: when the whole island gave way for it, they sank into each other.
+/// A strand between two walls that close on it cannot be outside both. It yields, and is reported; the other strands of its island hold as before,
+/// and keep their friction: if the whole island yielded, they would sink into each other.
 #[test]
-fn what_cannot_be_held_takes_nobody_along() {
+fn an_impossible_constraint_affects_no_other_strand() {
     {
         let model = ContactModel::Coulomb;
         let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default(), 3);
@@ -203,8 +203,8 @@ fn what_cannot_be_held_takes_nobody_along() {
     }
 }
 
-/// Where no attempt brings a strand near its end it stays as the step found it, and is told; those that it hangs together with go on, or they
-/// would stay where they are for as long as it does.
+/// Where no attempt brings a strand near convergence it keeps its initial state, and is reported; the others of its island
+/// continue and do not stay in place with it.
 #[test]
 fn a_strand_that_is_lost_takes_nobody_along() {
     // Too few iterations for a strand whose root is turned over.
@@ -267,10 +267,10 @@ fn what_is_drawn_in_each_other_and_pressed_together_parts() {
     }
 }
 
-/// The depth that a step tells is that of the strands as they are: touches keep the points that they were found with, and where strands go several times
-/// their radius in a step these have slid apart, and say nothing of what lies where. Nor does the list say more.
+/// The reported depth is that of the current strands: contacts keep the points at which they were detected, and where strands
+/// move several times their radius in a step these have slid apart and say nothing about positions. Nor does the list say more.
 #[test]
-fn how_deep_hair_is_in_hair_is_told_of_the_strands_and_not_of_their_touches() {
+fn the_reported_depth_of_hair_in_hair_is_that_of_the_strands_not_of_their_contacts() {
     const STRANDS: usize = 25;
     {
         let model = ContactModel::Coulomb;
@@ -313,7 +313,7 @@ fn how_deep_hair_is_in_hair_is_told_of_the_strands_and_not_of_their_touches() {
             failed += report.contact.unconverged;
         }
         println!("{model:?}, {failed} islands not at their end: told within {off:e} m, listed {listed:e} m too deep at most");
-        // What is in each other by no more than the tolerance may be told as nothing.
+        // Overlaps within the tolerance may be reported as none.
         let tolerance = solver.options().contact.tolerance;
         assert!(off < 1.1 * tolerance && listed < 1.1 * tolerance, "{off:e} {listed:e}");
         assert!(failed > 5, "{failed}");

@@ -1,4 +1,4 @@
-//! Contact against theory: what statics and Coulomb's law say of strands on bodies.
+//! Contact against theory: statics and Coulomb's law for strands on bodies.
 
 use std::sync::Arc;
 
@@ -61,7 +61,7 @@ fn a_resting_strand_is_borne_by_its_contacts() {
 }
 
 #[test]
-fn few_iterations_of_a_penalty_come_to_the_same_rest() {
+fn few_iterations_of_a_penalty_reach_the_same_rest() {
     let rest = |iterations: u32| {
         let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
         (options.contact.model, options.contact.max_iterations) = (ContactModel::Penalty, iterations);
@@ -92,7 +92,7 @@ fn few_iterations_of_a_penalty_come_to_the_same_rest() {
     };
     let (long, short) = (rest(50), [rest(1), rest(2), rest(4)]);
     println!("{:?}", short.map(|tip| tip - long));
-    // A hundredth of a millimetre: the springs give way by a tenth of it.
+    // A hundredth of a millimetre: the springs yield by a tenth of it.
     assert!(short.iter().all(|tip| (tip - long).abs() < 1e-5));
 }
 
@@ -128,7 +128,7 @@ fn friction_holds_below_its_angle_and_not_above() {
 }
 
 /// A straight limp strand that lies across its way and slides with its root, which slows down as Coulomb's friction slows it: a = μ g.
-/// Then the follicle bears nothing along the way. 1 % of the friction is ten times what the step leaves.
+/// Then the follicle carries no force along the motion. 1 % of the friction is ten times the step's error.
 #[test]
 fn a_sliding_strand_slows_by_friction_alone() {
     let (mu, speed) = (0.4, 1.0);
@@ -150,7 +150,7 @@ fn a_sliding_strand_slows_by_friction_alone() {
         solver.set_root_frames(&[id], &[frame], 0.0).unwrap();
         solver.step(h, 1).unwrap();
         let borne = solver.root_wrench(id).unwrap().force;
-        // The follicle bears the share of the weight that its half element has; what that would rub it must slow.
+        // The follicle carries the weight of its half element, and must slow what the friction of that part would have.
         let normal: f64 = solver.contacts().iter().map(|contact| contact.force.z).sum();
         let missing = friction - mu * normal;
         assert!(missing < 0.06 * friction && (borne.y - missing).abs() < 1e-3 * friction, "step {step}: {borne:?} {missing:e}");
@@ -162,7 +162,7 @@ fn a_sliding_strand_slows_by_friction_alone() {
     assert!(off.abs() < 1e-4, "{off}");
 }
 
-/// A strand drawn over a cylinder by half a turn: T2/T1 = exp(μφ), within 2 %. The load is a spring at the tip, told by its force; weight,
+/// A strand drawn over a cylinder by half a turn: T2/T1 = exp(μφ), within 2 %. The load is a spring at the tip, measured by its force; weight,
 /// stiffness and the strand's thickness are as good as nothing.
 #[test]
 fn a_strand_drawn_over_a_cylinder_obeys_the_capstan_equation() {
@@ -214,7 +214,7 @@ fn a_strand_drawn_over_a_cylinder_obeys_the_capstan_equation() {
     }
 }
 
-/// A comb tooth of 1 mm goes 2 m/s against a hanging strand and is on its far side after one step unless it was stopped on the way.
+/// A comb tooth of 1 mm goes 2 m/s against a hanging strand and would be on its far side after one step unless contact stops it.
 #[test]
 fn a_fast_thin_tooth_does_not_pass_through() {
     for h in [1.0 / 60.0, 1.0 / 30.0] {
@@ -254,7 +254,7 @@ fn a_fast_thin_tooth_does_not_pass_through() {
     }
 }
 
-/// A body that is on its way comes to where it was sent whether a strand is there to touch it or not, and what touched before is no contact
+/// A moving body reaches its target whether a strand touches it or not, and an earlier contact is no contact
 /// of a step in which nothing does.
 #[test]
 fn bodies_go_on_and_contacts_end_where_no_strand_touches() {

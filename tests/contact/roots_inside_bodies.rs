@@ -1,4 +1,4 @@
-//! Roots in bodies, where nothing is exempt: the host puts a root where it is, and no force moves it. It is told, and the rest of the strand is
+//! Roots in bodies, without exempt lengths: the host places the root, and no force moves it. It is reported, and the rest of the strand is
 //! solved as if it were not there.
 
 use std::sync::Arc;
@@ -36,7 +36,7 @@ fn steps(solver: &mut Solver, count: u32) -> Vec<StepReport> {
 /// A strand that stands on a scalp: its root 30 µm over it, nearer than it is thick. As a touch that was to hold it made every step of the hard
 /// models unconverged.
 #[test]
-fn a_root_on_the_surface_is_told_and_leaves_the_strand_alone() {
+fn a_root_on_the_surface_is_reported_and_does_not_affect_the_strand() {
     for model in MODELS {
         let (mut solver, id, floor, weight) = scene(model, 30e-6, 1.5, StrandContact::default());
         for (step, report) in steps(&mut solver, 30).iter().enumerate() {
@@ -56,9 +56,9 @@ fn a_root_on_the_surface_is_told_and_leaves_the_strand_alone() {
     }
 }
 
-/// A millimetre deep, upright and slanting: told with its depth, and no force acts on the body.
+/// A millimetre deep, upright and slanting: reported with its depth, and no force acts on the body.
 #[test]
-fn a_root_deep_in_a_body_is_told() {
+fn a_root_deep_in_a_body_is_reported() {
     for model in MODELS {
         for rise in [1.5, 0.5] {
             let (mut solver, _, floor, _) = scene(model, -1e-3, rise, StrandContact::default());
@@ -89,9 +89,9 @@ fn what_lies_on_a_body_is_solved_though_its_root_is_in_it() {
     }
 }
 
-/// Where the first part of a strand is exempt, or may be that deep, nothing is told; nor of a root that is as deep as touches may be.
+/// If the first part of a strand is exempt, or may be that deep, nothing is reported; nor for a root within the contact tolerance.
 #[test]
-fn roots_that_may_be_there_are_not_told() {
+fn permitted_roots_are_not_reported() {
     for model in MODELS {
         let exempt = StrandContact { exempt_length: 2e-3, ..StrandContact::default() };
         let (mut solver, ..) = scene(model, -1e-3, 1.5, exempt);

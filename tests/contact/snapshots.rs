@@ -1,4 +1,4 @@
-//! Snapshots of scenes in which strands touch and are held: a run goes on bit for bit from the middle of one, identifiers stay what they
+//! Snapshots of scenes with contacts and constraints: a run continues bit for bit from the middle of one, identifiers stay what they
 //! were, and damaged images are refused.
 
 use std::sync::Arc;
@@ -102,7 +102,7 @@ impl Scene {
         let sway = 0.005 * (9.0 * t).sin();
         let roots: Vec<Frame> = (0..8).map(|i| at(0.0, 0.01 * f64::from(i) + sway, 0.04)).collect();
         self.solver.set_root_frames(&self.strands, &roots, STEP).unwrap();
-        // Longer than a frame: an image is taken in the middle of the way.
+        // Longer than a frame: a snapshot is taken in the middle of the motion.
         if k.is_multiple_of(3) {
             let frame =
                 Frame { rotation: UnitQuaternion::from_scaled_axis(Vector3::new(0.0, 0.0, t)), ..at(0.04 + sway, 0.0, 0.02) };

@@ -24,7 +24,7 @@ fn gap(moving: &Moving, element: usize, s: f64, thickness: f64, body: &BodyAt) -
 fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -> usize {
     const SAMPLES: usize = 160;
     // How much deeper than the touches beside it a place may be that is found in a later iterate only: along facets the distance has
-    // minima closer together than the pieces that a strand is looked at in. Overlaps with triangles are all found but for 5e-6 m.
+    // minima closer together than the pieces in which a strand is searched. All overlaps with triangles are detected to 5e-6 m.
     let facets = matches!(name, "mesh" | "hull");
     let missed_apart = if facets || name == "grid" { 1e-4 } else { 3e-6 };
     let found = moving.touches(radius, body, within);

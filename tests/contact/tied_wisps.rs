@@ -90,7 +90,7 @@ fn a_knot_of_wisps_holds_as_one_of_lines() {
 #[test]
 fn away_from_their_knot_tied_strands_touch() {
     let mut defs = hanging(2, 4e-3);
-    // Bent towards each other: as lines they cross on the way down.
+    // Bent towards each other: as lines they cross on their way down.
     defs[0].natural = vec![[0.0, 0.0, 0.0]; 10];
     for (def, side) in defs.iter_mut().zip([1.0, -1.0]) {
         for row in def.natural.iter_mut().take(5) {

@@ -1,4 +1,4 @@
-//! The tip of a strand in a body's crease, between two faces that are not steep enough to be told apart by their normals alone: both hold it.
+//! The tip of a strand in a body's crease, between two faces whose normals alone do not distinguish them: both hold it.
 
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ fn a_tip_in_a_crease_is_held_by_both_faces() {
         }
     }
     println!("{steps} steps: {unconverged} unconverged, {spent} with more than eight searches, deepest {deepest:.1e}");
-    // Three steps in which the tip comes to rub end a little off friction's law. While a point had one of the faces at a time it was found in the other in
-    // every search, to the last.
+    // Three steps in which the tip starts to rub end slightly off the friction law. A point must be in contact with both faces at
+    // once, or every search finds it in the other face.
     assert!(deepest < 1e-5 && unconverged <= 4 && spent == 0);
 }

@@ -71,7 +71,7 @@ fn a_strand_does_not_pass_a_sheet() {
         let below = case % 2 == 0;
         let shape = if case % 3 == 2 { &front } else { &both };
         let below = below && case % 3 != 2;
-        // Towards the sheet at several metres a second, askew, somewhat turned on the way.
+        // Towards the sheet at several metres per second, askew, turning slightly.
         let side = if below { -1.0 } else { 1.0 };
         let curvatures = [[dice.between(-9.0, 9.0), dice.between(-9.0, 9.0), dice.between(-9.0, 9.0)]; 3];
         let flat = UnitQuaternion::from_scaled_axis(Vector3::z() * dice.between(0.0, 6.0));
@@ -164,7 +164,7 @@ fn sampled_hits(moving: &Moving, body: &BodyAt, level: f64) -> Vec<(usize, f64, 
 }
 
 #[test]
-fn sweeps_find_what_dense_sampling_of_time_finds() {
+fn sweeps_agree_with_dense_sampling_of_time() {
     let mut dice = Dice(31);
     let (vertices, triangles) = ball(0.004, 2);
     let mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
@@ -236,9 +236,8 @@ fn a_deforming_sheet_takes_the_strand_along() {
     assert!(found.iter().all(|touch| touch.normal.z > 0.0), "{found:#?}");
 }
 
-/// A strand drawn round something convex goes through it on the straight way of a step. Where it comes out on the side that it came from it is not
-/// in it: the plane of where it went in would push it out by millimetres, and it was found again by every search though nothing was wrong. Where
-/// it comes out behind, it went through.
+/// A strand drawn round something convex passes through it on the straight path of a step. If it comes out on its own side it is
+/// not in it, and the plane at its entry must not push it out. If it comes out behind, it went through.
 #[test]
 fn a_strand_drawn_round_a_corner_is_not_in_it() {
     const ROUND: f64 = 0.015;
@@ -247,7 +246,7 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
     let grid = Shape::new_grid(DistanceGrid::bake(&mesh, 0.001, 0.01).unwrap());
     let smooth = Shape::new_sphere(ROUND).unwrap();
     let mesh = Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap();
-    // Along y across the way, which is along x: its elements' ends touch nothing.
+    // Along y across the motion, which is along x: its elements' ends touch nothing.
     let across = UnitQuaternion::from_scaled_axis(Vector3::z() * std::f64::consts::FRAC_PI_2);
     let straight = strand(&across, LENGTH, &[[0.0; 3]; 1]);
     for (name, shape) in [("grid", &grid), ("sphere", &smooth), ("mesh", &mesh)] {
@@ -260,7 +259,7 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
             let (from, to) = (at(-0.5 * turn), at(0.5 * turn));
             let found = Moving::carried(from, to - from, straight.clone()).touches(RADIUS, &body, 1e-3);
             assert_eq!(found.iter().any(|touch| touch.gap < 0.0), behind, "{name}, {turn} rad: {found:?}");
-            // How near it is, is told all the same.
+            // Its distance is reported all the same.
             assert!(behind || found.iter().any(|touch| (touch.gap - 3e-4).abs() < 1e-4), "{name}, {turn} rad: {found:?}");
         }
     }
@@ -270,7 +269,7 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
 /// from pushed out.
 #[test]
 fn no_piece_that_a_body_has_run_into_is_left_in_it() {
-    /// How far apart places are that are looked at, and how deep is deep, m.
+    /// The spacing of sampled places, and the depth that counts as deep, m.
     const APART: f64 = 1e-4;
     const DEEP: f64 = 2e-4;
     let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Vector3::from);
@@ -329,7 +328,7 @@ fn no_piece_that_a_body_has_run_into_is_left_in_it() {
         }
         for [from, to, deepest] in pieces.into_iter().filter(|[.., deepest]| *deepest > DEEP) {
             runs += 1;
-            // A step's next search finds what is left of it once this is pushed out.
+            // A step's next search finds the rest once this is pushed out.
             let near = found.iter().filter(|(along, _)| *along > from - LENGTH / 3.0 && *along < to + LENGTH / 3.0);
             let most = near.fold(0.0, |a: f64, (_, gap)| a.min(*gap));
             assert!(most < -0.3 * deepest, "case {case}: from {from} to {to}, {deepest} deep: {found:?}");

@@ -1,4 +1,4 @@
-//! What must hold of a strand in any state, measured from outside.
+//! Invariants of a strand in any state, measured from outside.
 
 use nalgebra::{Matrix3, Vector3};
 use superhelix::internals::math::vector::{Mat3, Vec3};

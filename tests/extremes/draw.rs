@@ -1,4 +1,4 @@
-//! What is drawn: strands and surroundings from the whole space that the engine accepts from hair to cable, evenly in the logarithm.
+//! Random draws: strands and surroundings from the whole accepted space, from hair to cable, uniform in the logarithm.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::{Freedoms, Integrator, Material, StrandDef};
@@ -20,7 +20,7 @@ impl Draw {
         self.0 ^= self.0 << 17;
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
-    /// True in that share of the draws.
+    /// True in this fraction of the draws.
     pub fn chance(&mut self, share: f64) -> bool {
         self.unit() < share
     }
@@ -58,7 +58,7 @@ pub enum Stratum {
     Long,
 }
 
-/// One case: the strand, and how it is to be stepped.
+/// One case: the strand, and its stepping.
 pub struct Case {
     pub stratum: Stratum,
     pub integrator: Integrator,

@@ -3,7 +3,7 @@
 //! `docs/theory/extremes.md`, a million strand-seconds and more. Environment:
 //!
 //!     EXTREMES_CASES, EXTREMES_LONG   cases of the strata wide and long (160, 4)
-//!     EXTREMES_FIRST                  number of the first case (0); a case is the same wherever it is run
+//!     EXTREMES_FIRST                  number of the first case (0); a case is the same on every machine
 //!     EXTREMES_MINUTES                no further case is begun after that time
 //!     EXTREMES_CSV                    a folder for extremes.csv and extremes_papers.csv
 
@@ -21,7 +21,7 @@ use table::Table;
 
 /// Cases beyond the slice that are always run: strands that Newton's iteration finds hard.
 const KEPT: [(Stratum, u64); 3] = [(Stratum::Wide, 175), (Stratum::Wide, 523), (Stratum::Wide, 619)];
-/// Every so many cases one is run twice and compared.
+/// One in this many cases runs twice and is compared.
 const REPEATED: u64 = 64;
 
 fn number(name: &str, default: u64) -> u64 {

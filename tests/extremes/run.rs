@@ -1,4 +1,4 @@
-//! Running one case: stretches of violence and stretches of quiet, and what must hold after every call.
+//! Running one case: stretches of violence and stretches of quiet, and the checks after every call.
 
 use std::time::Instant;
 
@@ -8,7 +8,7 @@ use superhelix::{Frame, Integrator, Solver, SolverOptions, StrandDef, StrandId};
 use crate::checks::{Whole, honesty, whole};
 use crate::draw::{Case, Draw, Stratum};
 
-/// What came of a case.
+/// The result of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
     pub steps: u64,
@@ -61,7 +61,7 @@ fn largest_angle(solver: &Solver, id: StrandId) -> f64 {
 
 /// How the root moves and what blows in one stretch.
 enum Stretch {
-    /// Root at rest, no wind, gravity as it is.
+    /// Root at rest, no wind, unchanged gravity.
     Quiet,
     /// To and fro along a line.
     Shake { way: Vector3<f64>, angular_frequency: f64 },
@@ -94,7 +94,7 @@ fn stretch(draw: &mut Draw, integrator: Integrator) -> Stretch {
     }
 }
 
-/// What the energy may be off by since Newton's iteration stops at a tolerance: half of what turning every element by that much, in one
+/// The energy error of Newton's tolerance: half of what turning every element by that much, in one
 /// step, would store and carry.
 fn slack(case: &Case) -> f64 {
     let material = &case.def.material;

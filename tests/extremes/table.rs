@@ -1,4 +1,4 @@
-//! What came of all cases, an integrator a row; and where the papers' step fails.
+//! The results of all cases, one row per integrator; and where the linearly implicit step fails.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,4 +1,4 @@
-//! Cem Yuksel's `.hair`: real files, what a head may say, and every way in which a file can be wrong.
+//! Cem Yuksel's `.hair`: real files, valid headers, and every way in which a file can be wrong.
 
 use superhelix::Error;
 use superhelix::io::{Curves, CurvesFormat, Extras, HairHeader, hair};
@@ -175,7 +175,7 @@ fn files_that_cannot_be_read_say_so() {
     assert!(matches!(Curves::read("/dev/zero"), Err(Error::File { reason, .. }) if reason.contains("neither a file nor a pipe")));
 }
 
-/// What a shell's `<(zcat groom.hair.gz)` gives: a pipe, which states no size.
+/// A shell's `<(zcat groom.hair.gz)`: a pipe, which has no size.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_pipe_is_read_to_its_end() {
@@ -197,7 +197,7 @@ fn content_decides_before_the_name_does() {
     assert_eq!(Curves::read_from_bytes("groom", &bytes).unwrap().format(), CurvesFormat::Hair);
     assert_eq!(Curves::read_from_bytes("groom.tfx", &bytes).unwrap().format(), CurvesFormat::Hair);
     for (name, bytes, said) in [
-        ("groom", &b"nothing"[..], "no known groom format"),
+        ("groom", &b"nothing"[..], "not a known groom format"),
         ("a.hair", b"\x1f\x8b\x08", "gzip"),
         ("a.HAIR", b"HAI", "truncated"),
     ] {

@@ -198,7 +198,7 @@ fn options_that_make_no_sense_are_refused() {
     let joint = MotionOptions { joint: Some("Head".to_owned()), metres_per_unit: None };
     assert_eq!(argument("walk_figure8_head.csv", joint), "joint");
     assert!(
-        matches!(Motion::read(data("README.md"), None), Err(Error::File { reason, .. }) if reason.contains("no known motion"))
+        matches!(Motion::read(data("README.md"), None), Err(Error::File { reason, .. }) if reason.contains("not a known motion"))
     );
     assert!(matches!(Motion::read(data("none.bvh"), None), Err(Error::File { reason, .. }) if reason.contains("cannot be read")));
 }

@@ -23,7 +23,7 @@ fn a_groom_comes_back_to_the_bit() {
 }
 
 #[test]
-fn the_text_is_what_other_programs_read() {
+fn other_programs_can_read_the_text() {
     let curves = Curves::from_strands(&[vec![[0.0, 0.5, 1.0], [0.25, 0.0, 0.0]], vec![[1.0; 3], [2.0; 3], [3.0; 3]]]).unwrap();
     let text = String::from_utf8(obj::write_to_bytes(&curves)).unwrap();
     assert_eq!(text, "# superhelix: 2 strands, 5 points\nv 0 0.5 1\nv 0.25 0 0\nv 1 1 1\nv 2 2 2\nv 3 3 3\nl 1 2\nl 3 4 5\n");

@@ -1,4 +1,4 @@
-//! Caches: one file a frame, written whole or not at all.
+//! Caches: one file per frame, written completely or not at all.
 
 use std::path::{Path, PathBuf};
 
@@ -140,7 +140,7 @@ fn gaps_and_doubles_are_refused() {
     assert!(matches!(gap, Error::File { path, reason } if path.ends_with("a.0003.obj") && reason.contains("missing")));
     std::fs::write(scratch.0.join("a.00002.obj"), "").unwrap();
     let double = Sequence::list(&scratch.0, "a", CacheFormat::Obj).unwrap_err();
-    assert!(matches!(double, Error::File { reason, .. } if reason.contains("second time")));
+    assert!(matches!(double, Error::File { reason, .. } if reason.contains("exists twice")));
     assert!(Sequence::list(scratch.0.join("none"), "a", CacheFormat::Obj).is_err());
 }
 

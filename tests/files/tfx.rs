@@ -266,7 +266,7 @@ fn a_text_file_cut_at_any_line_is_refused() {
     for end in ends[..ends.len() - 1].iter().step_by(97) {
         reason(&real[..*end]);
     }
-    // Cut inside the last number, a file cannot be told from a whole one; anywhere else in the last line it can.
+    // A file cut inside the last number looks complete; cut anywhere else in the last line it does not.
     let last = TEXT.len() - "0,0,4\n".len();
     for length in last..TEXT.len() - 2 {
         reason(&TEXT.as_bytes()[..length]);
@@ -319,7 +319,7 @@ fn what_was_read_is_written_again_byte_for_byte() {
 }
 
 #[test]
-fn every_version_keeps_what_it_has_a_place_for() {
+fn every_version_keeps_what_it_can_hold() {
     let numbers = |count: usize| (0..count).map(|index| 0.1 + index as f32 / 3.0).collect::<Vec<f32>>();
     let points: Vec<[f32; 3]> = numbers(12).iter().map(|x| [*x, -x, x * 1e-20]).collect();
     let extras = Extras {

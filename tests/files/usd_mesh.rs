@@ -81,7 +81,7 @@ fn a_mesh_is_that_of_the_same_obj_file() {
 }
 
 #[test]
-fn vertices_move_between_samples_and_with_what_they_are_in() {
+fn vertices_move_between_samples_and_with_their_parents() {
     let samples = "point3f[] points.timeSamples = {
             0: [(-1, 0, 1), (0, 0, 1), (0, 0, -1), (-1, 0, -1), (1, 0, 1), (1, 0, -1)],
             3: [(-1, 3, 1), (0, 0, 1), (0, 0, -1), (-1, 0, -1), (1, 0, 1), (1, 0, -5)],
@@ -152,7 +152,7 @@ def Mesh \"hidden\" (
 }
 
 #[test]
-fn what_is_wrong_is_said_with_its_prim() {
+fn errors_name_their_prim() {
     let refused = |above: &str, more: &str, words: &str| {
         let error = MeshCache::read_from_bytes("head.usda", text(above, more).as_bytes()).unwrap_err().to_string();
         assert!(error.contains("head.usda") && error.contains(words), "{words}: {error}");
@@ -173,7 +173,7 @@ fn what_is_wrong_is_said_with_its_prim() {
         ("texCoord2f[] primvars:st = [(0, 0)] (interpolation = \"constant\")", "/root/head: primvars:st is constant or uniform"),
         (
             "texCoord2f[] primvars:st = [(0, 0)] (interpolation = \"faceVarying\")",
-            "/root/head: primvars:st has 1 entries; expected one a corner, 8",
+            "/root/head: primvars:st has 1 entries; expected one per corner, 8",
         ),
         ("texCoord2f[] primvars:st = [(0, 0)]\nint[] primvars:st:indices = [0, 3]", "/root/head: primvars:st:indices says 3"),
         ("point3f[] points = [(0, 0, inf)]", "line 19"),

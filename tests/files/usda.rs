@@ -1,4 +1,4 @@
-//! USD as text: real files of other programs, what a layer may say, and every way in which one can be wrong. Reference numbers are of
+//! USD as text: real files of other programs, valid layers, and every way in which one can be wrong. Reference numbers are of
 //! Pixar's own library and of numpy (tests/oracle/make_usd_references.py).
 
 use serde_json::Value;
@@ -129,7 +129,7 @@ fn splines_keep_their_lengths() {
     let arclengths = |text: &str| read(text).extras().arclengths.clone();
     let both = arclengths(&format!("{quarter}{linear}")).unwrap();
     assert_eq!(both.len(), 5 + 3);
-    // The parameter is not the angle: the middle is at half way, for symmetry, and the whole is a quarter of a circle of radius 3. Four chords
+    // The parameter is not the angle: the middle is at one half, by symmetry, and the whole is a quarter of a circle of radius 3. Four chords
     // are 0.4 % shorter.
     let whole = 1.5 * std::f32::consts::PI;
     assert!((both[4] / whole - 1.0).abs() < 1e-6 && (both[2] / whole - 0.5).abs() < 1e-6, "{both:?}");
@@ -291,7 +291,7 @@ fn a_cache_has_its_frames_velocities_and_nothing_left_beside_it() {
 }
 
 #[test]
-fn what_a_program_may_write_around_curves_is_read_past() {
+fn other_content_around_curves_is_skipped() {
     let text = r#"#usda 1.0
 ( "a layer"
     customLayerData = { string a = "}" ; int[] b = [1, 2] }
@@ -330,7 +330,7 @@ def Xform "head" (
     let curves = usda::read_from_bytes("p.usda", text.as_bytes()).unwrap();
     assert_eq!((curves.counts(), curves.points()), (&[2][..], &[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]][..]));
     assert_eq!(curves.extras().metres_per_unit, Some(0.1));
-    // What the format means where a layer says nothing.
+    // The format's defaults.
     let plain = layer(
         "BasisCurves",
         "uniform token type = \"linear\" int[] curveVertexCounts = [2] point3f[] points = [(0,0,0),(0,0,1)]",
@@ -386,19 +386,15 @@ fn nonsense_is_refused_with_place_and_value() {
         ("\"linear\"", "\"wavy\"", "type is \"wavy\""),
         ("\"linear\"", "\"cubic\"", "curve 0"),
         ("int[]", "uniform token wrap = \"periodic\" int[]", "periodic"),
-        ("int[]", "float[] widths = [1, 2] int[]", "widths has 2 entries; expected 5, one a point"),
+        ("int[]", "float[] widths = [1, 2] int[]", "widths has 2 entries; expected 5, one per point"),
         ("int[]", "float[] widths = [1, 2] (interpolation = \"constant\") int[]", "expected 1, one for all"),
         ("int[]", "float[] widths = [1] (interpolation = \"odd\") int[]", "interpolation is \"odd\""),
-        ("int[]", "vector3f[] velocities = [(1, 0, 0)] int[]", "velocities has 1 entries; expected one a point, 5"),
-        ("int[]", "color3f[] primvars:displayColor = [(1, 0, 0)] int[] primvars:displayColor:indices = [3] int[]", "says 3"),
+        ("int[]", "vector3f[] velocities = [(1, 0, 0)] int[]", "velocities has 1 entries; expected one per point, 5"),
+        ("int[]", "color3f[] primvars:displayColor = [(1, 0, 0)] int[] primvars:displayColor:indices = [3] int[]", "has 3"),
         ("int[]", "point3f[] points.timeSamples = { 1: [(0,0,0)], 1: [(0,0,0)] } int[]", "time 1 is sampled twice"),
         ("int[]", "point3f[] points.timeSamples = { x: [] } int[]", "a time is \"x\""),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] int[]", "/c: xformOp:scale is in xformOpOrder and has no value"),
-        (
-            "int[]",
-            "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]",
-            "no operation that is known",
-        ),
+        ("int[]", "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]", "not a known operation"),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] double3 xformOp:scale = (1, 2) int[]", "wrong number of values"),
     ] {
         let text = layer("BasisCurves", &linear.replacen(replaced, with, 1));
@@ -407,7 +403,7 @@ fn nonsense_is_refused_with_place_and_value() {
     }
     let nurbs = format!("{}int[] order = [4]\ndouble[] knots = [0,0,0,0,1,2,3,4,4,4,4]\n", controls());
     for (replaced, with, said) in [
-        ("[4]", "[]", "order has 0 numbers; expected one a curve, 1"),
+        ("[4]", "[]", "order has 0 numbers; expected one per curve, 1"),
         ("[4]", "[8]", "knots has 11 numbers"),
         ("[0,0,0,0,1,2", "[0,0,0,0,2,1", "knots[5]"),
         ("int[] order", "double[] pointWeights = [1] int[] order", "pointWeights has 1"),
@@ -445,11 +441,11 @@ fn first_numbers(text: &str) -> Vec<f32> {
 }
 
 #[test]
-fn what_is_not_to_be_seen_is_left_out() {
+fn invisible_prims_are_left_out() {
     let hidden = "token visibility = \"invisible\"";
     let seen = strand("a", "token visibility = \"inherited\"", 1);
     assert_eq!(first_numbers(&(seen.clone() + &strand("b", hidden, 2))), [1.0]);
-    // What is in a hidden prim is hidden, whatever it says, and though that is said after it.
+    // The contents of a hidden prim are hidden, whatever they say, even if visibility comes after them.
     let group = format!("def Xform \"g\" {{ {} {hidden} }}\n", strand("c", "token visibility = \"inherited\"", 3));
     assert_eq!(first_numbers(&(group + &seen)), [1.0]);
     // Guides beside hair are left; where all are guides they are the groom.

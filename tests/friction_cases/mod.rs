@@ -1,4 +1,4 @@
-//! The curves of `tests/data/friction/`, with the strands that they are of.
+//! The curves of `tests/data/friction/`, with their strands.
 
 use std::path::PathBuf;
 

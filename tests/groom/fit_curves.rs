@@ -1,4 +1,4 @@
-//! Fitting strands to curves: what theory says must come out, and input of every kind.
+//! Fitting strands to curves: results that theory predicts, and input of every kind.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::hair::{ElementLengths, Fit, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve, fit_curves, fit_polyline};
@@ -81,7 +81,7 @@ fn exact_helices_are_found_to_rounding() {
             assert!((length_of(&fit) - length).abs() < 1e-15);
             if radius > 0.0 {
                 for row in &fit.curvatures {
-                    // What is found to rounding is the centreline: the twist of an element that hardly turns follows from it less well.
+                    // The centreline is exact to rounding: the twist of an element that hardly turns follows from it less well.
                     assert!((row[1].hypot(row[2]) - curvature).abs() < 1e-6 * curvature, "{row:?} {curvature}");
                     assert!((row[0] - torsion).abs() < 1e-5 * (curvature + torsion.abs()), "{row:?} {torsion}");
                 }
@@ -110,7 +110,7 @@ fn super_helices_with_elements_of_any_length_are_found_again() {
 }
 
 #[test]
-fn the_root_is_what_is_asked_for() {
+fn the_root_is_the_requested_one() {
     let (points, arclengths) = helix(0.01, 0.03, 0.1, 41);
     let curve = with_arclengths(&points, &arclengths);
     let tangent = Vector3::new(0.0, 0.01, 0.03 / std::f64::consts::TAU).normalize();
@@ -204,7 +204,7 @@ fn a_tolerance_is_kept_with_the_fewest_elements() {
         println!("{tolerance:e} m: {count} elements, {:e} m", fitted.max_error);
         assert!(fitted.max_error <= tolerance && count >= before && fitted.element_lengths.len() == count);
         if count > 1 {
-            // One element less is not enough: asked for no more, the fit has that many and says that it is too far off.
+            // One element less is not enough: limited to that, the fit has that many and reports that it misses the tolerance.
             let less = fit_curve(&curve, &FitOptions::within(tolerance, count - 1), &mut scratch).unwrap();
             assert!(less.max_error > tolerance && less.curvatures.len() == count - 1, "{tolerance} {count}");
         }
@@ -244,7 +244,7 @@ fn the_largest_distance_is_lowered_to_the_least_there_is() {
     // Rounds are few, so that it is not met to rounding: within two percent, where the mean square leaves a fifth more.
     assert!(even.max_error >= least * (1.0 - 1e-6) && even.max_error < 1.02 * least, "{} {least}", even.max_error);
     assert!(mean.max_error > 1.2 * least && mean.rms_error < even.rms_error);
-    // What is good already stays as it is, to the bit; and what becomes good is left there.
+    // A good fit stays the same, to the bit; and a fit that becomes good stops there.
     assert_eq!(fit(&curve, &FitOptions { good_largest: mean.max_error * 1.001, ..one }), mean);
     let between = 0.5 * (least + mean.max_error);
     let enough = fit(&curve, &FitOptions { good_largest: between, ..one });
@@ -295,7 +295,7 @@ fn distance_from(fitted: &Fit, points: &[Vector3<f64>], arclengths: &[f64]) -> f
 }
 
 #[test]
-fn the_length_is_exact_and_the_errors_are_what_they_are_called() {
+fn the_length_is_exact_and_the_errors_match_their_definitions() {
     let mut noise = Noise(1);
     for count in [2, 3, 5, 30, 500] {
         for elements in [1, 4, 13] {
@@ -451,7 +451,7 @@ fn bad_input_is_refused_by_name() {
 }
 
 #[test]
-fn splines_are_what_their_names_say() {
+fn splines_match_their_names() {
     let mut noise = Noise(11);
     let controls: Vec<Vector3<f64>> = (0..7).map(|_| noise.vector()).collect();
     let near = |a: Vector3<f64>, b: Vector3<f64>| assert!((a - b).norm() < 1e-14, "{a} {b}");

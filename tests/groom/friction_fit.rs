@@ -40,7 +40,7 @@ fn shown(name: &str, case: &Case, fit: &FrictionFit) {
     );
 }
 
-/// Three standard errors, and a share of the value.
+/// Three standard errors, and a fraction of the value.
 fn check(found: &FittedCoefficient, truth: f64, share: f64) {
     assert_eq!(found.verdict, Verdict::Determined);
     assert!((found.value - truth).abs() < 3.0 * found.standard_error, "{found:?}: {truth:e}");
@@ -65,7 +65,7 @@ fn coefficients_of_the_oracle_are_found_again() {
             check(found, truth(&case, found.coefficient), share);
         }
         assert!(fit.converged && fit.unconverged == 0);
-        // The standard deviation of a standard deviation of 90 samples is 7.5 %; correlation of so many by chance 0.1.
+        // The standard deviation of a standard deviation of 90 samples is 7.5 %; chance correlation of that many 0.1.
         assert!((fit.noise / case.noise - 1.0).abs() < 0.25 && fit.residual_correlation.abs() < 0.35);
     }
 }
@@ -144,7 +144,7 @@ fn curves_that_say_nothing_are_told_from_those_that_do() {
     assert_eq!(found.verdict, Verdict::Undetermined, "{found:?}");
     assert!(found.excluded == [0.0, f64::INFINITY] && found.standard_error >= found.value);
 
-    // A round strand that bends in a plane does not tell its two kinds of internal friction from one another.
+    // A round strand that bends in a plane does not distinguish its two kinds of internal friction.
     let pendulum = case("pendulum_05.csv");
     let mut options = FrictionFitOptions::of(&[InternalFriction, Viscosity]);
     options.grid_points = 3;

@@ -1,4 +1,4 @@
-//! Kinds of hair: the published numbers, helices that have the measured radius and step, variation that is seeded and small, and sliders
+//! Hair types: the published numbers, helices that have the measured radius and step, variation that is seeded and small, and sliders
 //! that are monotone in what they set and in what the hair then does.
 
 use std::f64::consts::PI;
@@ -39,7 +39,7 @@ fn types_are_the_published_tables() {
         let material = kind.measured().material();
         assert!((2e6 * material.radius[0] / diameter - 1.0).abs() < 1e-12);
         assert!((material.radius[0] / material.radius[1] / ellipticity - 1.0).abs() < 1e-12);
-        // The stiffness that the strand has is the one of the table: about n1, the way in which the section is limp.
+        // The strand has the table's stiffness: about n1, its soft axis.
         let [_, first, second] = material.stiffness();
         assert!((first / (stiffness * 1e-9) - 1.0).abs() < 1e-12 && first < second);
         // What speaks for reading the table's "Nm" as N m²: all four hairs have the same modulus, that of wet or stretched keratin's order.
@@ -330,7 +330,7 @@ fn curliness_scales_a_shape_of_ones_own_as_it_does_a_type() {
         assert!((curvatures[8] - (1.5 * mean).max(400.0)).abs() < 1e-9 * curvatures[8]);
     }
     assert!(own < 60.0 && mean_curvature(&lengths, &tight) > 400.0);
-    // What is straight curls as straight types do, about its own twist.
+    // A straight strand curls like straight types, with its own twist.
     let asian = HairType::Asian.measured().parameters(CurlFormula::Exact).unwrap();
     for x in POSITIONS {
         let [twist, first, second] = asian.with_sliders(&sliders(0, x)).unwrap().natural;
@@ -379,7 +379,7 @@ fn tips_at_rest(hair: &HairParameters, count: u64, direction: Vector3<f64>, leng
     samples(&solver, &ids, 2).chunks_exact(2).map(|ends| ends[1]).collect()
 }
 
-/// What a slider does to hair at rest, at five positions.
+/// The effect of a slider on hair at rest, at five positions.
 fn at_rest(kind: HairType, slider: usize, of: &dyn Fn(&HairParameters) -> f64) -> Vec<f64> {
     let hair = HairParameters { variation: Variation::none(), ..kind.measured().parameters(CurlFormula::Exact).unwrap() };
     [-1.0, -0.5, 0.0, 0.5, 1.0].map(|x| of(&hair.with_sliders(&sliders(slider, x)).unwrap())).to_vec()
@@ -450,7 +450,7 @@ fn hair_that_is_easy_to_comb_pulls_less_and_springs_back_faster() {
     // Friction is three times as much and a third: that of the strand along itself, 0.2, for all the weight that lies on the table.
     assert!(pulls[0] < -0.3 && pulls[4] > -0.1, "{pulls:?}");
 
-    // Bent hair that is let go: how fast it gets at most. (What is left after some time would not do: where friction is so great that hair
+    // Bent hair that is let go: its largest speed. (The rest after some time would not do: where friction is so great that hair
     // only creeps back, more of it leaves more.)
     let fastest = |hair: &HairParameters| {
         let mut solver = Solver::new(SolverOptions { gravity: Vector3::zeros(), ..SolverOptions::default() }).unwrap();

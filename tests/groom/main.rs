@@ -1,4 +1,4 @@
-//! From curves to strands and from guides to render hair: fits, rest shapes, kinds of hair, posing, scalps.
+//! From curves to strands and from guides to render hair: fits, rest shapes, hair types, posing, scalps.
 
 mod fit_curves;
 mod fit_polylines;

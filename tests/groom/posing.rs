@@ -1,4 +1,4 @@
-//! Strands posed by hand, as shapes: drags against geometry, cuts and mirrors to rounding. Living strands are in `posing_living.rs`.
+//! Strands posed by hand, as shapes: drags against geometry, cuts and mirrors to rounding. Simulated strands are in `posing_living.rs`.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::editing::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, StrandShape};
@@ -363,7 +363,7 @@ fn cuts_keep_the_shape_and_growth_goes_on() {
             if share == 1.0 {
                 assert_eq!(cut, shape);
             }
-            // What was cut off grows again from the element that was cut, where the cut was in the last one.
+            // The cut part grows again from the cut element, if that was the last one.
             if cut.curvatures.len() == elements {
                 cut.grow(&Growth { length: shape.length() - arclength + 0.01, elements: 0, curvatures: None }).unwrap();
                 assert!((cut.frame_at(shape.length()).origin - shape.frame_at(shape.length()).origin).norm() < 1e-12);

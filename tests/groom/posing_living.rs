@@ -1,4 +1,4 @@
-//! Living strands posed, cut, grown, mirrored, and given other materials: against strands that were made so.
+//! Simulated strands posed, cut, grown, mirrored, and given other materials: against strands created that way.
 
 use std::sync::Arc;
 
@@ -58,7 +58,7 @@ fn a_strand_that_is_cut_goes_on_as_one_that_was_made_so() {
     }
 }
 
-/// In the middle of a motion: curve and velocities of what is left stay to rounding, and mass is that of what is left.
+/// In the middle of a motion: curve and velocities of the rest stay the same to rounding, and its mass is its own.
 #[test]
 fn a_moving_strand_is_cut_and_grows_without_a_kick() {
     let (mut solver, ids) = solver_of(&[curl(6, 2)], Workers::Serial);
@@ -151,7 +151,7 @@ fn a_material_that_is_changed_is_that_of_a_strand_made_so() {
     step(&mut fresh, 10);
     assert_eq!(solver.state_hash(), fresh.state_hash());
 
-    // In motion: the state as it is, forces of the new material; and a snapshot knows it.
+    // In motion: the same state, forces of the new material; and a snapshot preserves it.
     let before = solver.shapes(&ids).unwrap();
     solver.set_materials(&ids, &[Material::default()]).unwrap();
     assert_eq!((solver.shapes(&ids).unwrap(), solver.radius(ids[3]).unwrap()), (before, 50e-6));
@@ -294,7 +294,7 @@ fn images_move_as_images() {
 }
 
 #[test]
-fn elements_change_and_what_is_held_is_not_lost() {
+fn elements_change_and_constraints_are_kept() {
     let (mut solver, ids) = solver_of(&[curl(5, 1), curl(5, 2)], Workers::Serial);
     let change = ElementChange { twist: 0.2, bend: [0.1, 0.0], stretch: 1.5, keep_curvature: false };
     let (natural, rows) = (solver.natural_curvatures(ids[1]).unwrap()[2], solver.curvatures(ids[1]).unwrap()[2]);

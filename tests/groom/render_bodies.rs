@@ -1,4 +1,4 @@
-//! Render hair kept out of bodies: hardly a point is left inside, strands keep their lengths and wisps their shapes, what goes with the head
+//! Render hair kept out of bodies: hardly any point stays inside, strands keep their lengths and wisps their shapes, what moves with the head
 //! keeps its velocity, and what is far from bodies is left alone.
 
 use std::sync::Arc;
@@ -17,7 +17,7 @@ fn head() -> Shape {
     Shape::new_grid(DistanceGrid::bake(&mesh, 0.005, 0.02).expect("a grid"))
 }
 
-/// The share of points, roots left out, that lie deeper than so much, and the deepest, m.
+/// The fraction of points, without roots, deeper than a limit, and the largest depth, m.
 fn inside(shape: &Shape, strands: &[Taken], deeper: f64) -> (f64, f64) {
     let depth = |point: &Vector3<f64>| shape.closest(*point, 0.0).map_or(0.0, |surface| -surface.distance);
     let depths: Vec<f64> = strands.iter().flat_map(|strand| &strand.points[1..]).map(depth).collect();
@@ -38,7 +38,7 @@ fn strands_stay_out_of_a_head_and_wisps_stay_wisps() {
         println!(
             "curliness {curliness}: deeper than 1 mm {share_before:.3} (deepest {deepest_before:.4}) to {share:.5} ({deepest:.4})"
         );
-        // (In creases, where the nearest ways out cross, and where splines cut corners, a point may stay in by some millimetres.)
+        // (In creases, where the shortest paths out cross, and where splines cut corners, a point may stay inside by some millimetres.)
         assert!(deepest < 7e-3, "{deepest_before} {deepest}");
         assert!(share_before > 0.005 && share < 0.005 && share < 0.4 * share_before, "{share_before} {share}");
         // Segments keep their lengths but for the corners that splines cut.
@@ -145,7 +145,7 @@ fn hair_that_goes_with_a_head_has_the_heads_velocity() {
     off.sort_by(f64::total_cmp);
     // Rounding of f32 over a millisecond; a point that looks at another node then than now moves by up to a few tenths of a millimetre.
     assert!(off[off.len() * 98 / 100] < 0.1, "{}", off[off.len() * 98 / 100]);
-    // The head's motion is told by the roots.
+    // The roots determine the head's motion.
     let moved: Vec<_> = guides.iter().map(|p| back(0.1).origin + back(0.1).rotation * p).collect();
     pose.set(&GuideSamples::at_rest(&moved)).expect("a pose");
     assert!((pose.head().origin - back(0.1).origin).norm() < 1e-9 && pose.head().rotation.angle_to(&back(0.1).rotation) < 1e-9);

@@ -12,7 +12,7 @@ use superhelix::render::{
 };
 use superhelix::{Error, InstructionSet, Workers};
 
-/// What a strand's points were.
+/// A strand's points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taken {
     pub points: Vec<Vector3<f64>>,
@@ -46,7 +46,7 @@ impl StrandSink for Collect {
     }
 }
 
-/// Mixing alone: nothing is gathered, cut or put anew on its way.
+/// Mixing alone: no gathering, cutting or respacing.
 pub fn plain() -> RenderSettings {
     RenderSettings {
         curliness: 0.0,
@@ -185,7 +185,7 @@ fn tips_of_a_wisp_are_its_section_drawn_together() {
             let mut shares = Vec::new();
             for ((guide, _), members) in &members {
                 let guide = &guides[*guide as usize * 16..][..16];
-                // Strands that are short beside their wisp do not go over to it all the way.
+                // Strands that are short beside their wisp do not blend into it completely.
                 if members.len() < 8 || length(guide) < 0.1 {
                     continue;
                 }
@@ -202,7 +202,7 @@ fn tips_of_a_wisp_are_its_section_drawn_together() {
                     assert!(tip.dot(&last).abs() < 1e-5, "{}", tip.dot(&last));
                 }
             }
-            // What a curved patch of scalp has of depth is left out of its section.
+            // The depth of a curved patch of scalp is not part of its section.
             assert!(shares.len() > 40 && shares.iter().all(|share| *share < 0.3001), "{shares:?}");
             let mean = shares.iter().sum::<f64>() / shares.len() as f64;
             assert!(mean > 0.27, "{mean}");
@@ -243,7 +243,7 @@ fn guides_whose_tips_part_are_not_mixed() {
         strands.iter().map(|strand| (strand.points[15] - strand.points[0]).x.abs()).fold(f64::INFINITY, f64::min)
     };
     let none = RenderSettings { max_tip_ratio: f64::INFINITY, ..plain() };
-    // Mixed across the parting there are strands that go to neither side; otherwise all go the whole way.
+    // Mixed across the parting there are strands on neither side; otherwise all go completely to one side.
     assert!(reach(&none) < 0.2, "{}", reach(&none));
     for settings in [plain(), RenderSettings { max_tip_distance: 0.2, max_tip_ratio: f64::INFINITY, ..plain() }] {
         assert!((reach(&settings) - 0.3).abs() < ROUNDING, "{}", reach(&settings));
@@ -533,7 +533,7 @@ fn frames_are_orthonormal_and_along_the_strand() {
             assert!((rotation * Vector3::x()).angle(&way) < 2e-3);
             let n1 = rotation * Vector3::y();
             if let Some(last) = last {
-                // Carried along: n1 turns no more than the strand does, and some for the guide's share.
+                // Carried along: n1 turns no more than the strand does, plus some for the guide.
                 assert!(n1.angle(&last) < 1.3, "{}", n1.angle(&last));
             }
             last = Some(n1);

@@ -1,4 +1,4 @@
-//! A saved map is the map, damage is found, and a map lives on without some of its guides.
+//! A saved map is the map, damage is found, and a map works on without some of its guides.
 
 use std::sync::Arc;
 

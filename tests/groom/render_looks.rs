@@ -1,4 +1,4 @@
-//! What render hair looks like by default, as geometry: wisps are round, strands are as long as their guides, roots have no kinks, tips are
+//! The default look of render hair, as geometry: wisps are round, strands are as long as their guides, roots have no kinks, tips are
 //! drawn together without meeting; what guides do linearly over the scalp, strands do too; a crown does not stand up.
 
 use nalgebra::{Matrix3, Vector3};
@@ -106,7 +106,7 @@ fn strands_are_as_long_as_their_guides() {
                     let of = pose.hair().guides_of(index).expect("a strand");
                     let ends = of.map(|(guide, weight)| (own(guide), f64::from(weight))).collect::<Vec<_>>();
                     let mixed: f64 = ends.iter().map(|(own, weight)| own * weight).sum();
-                    // Between what it is mixed of and its first guide, as far as it has gone over to its wisp.
+                    // Between its mixture and its first guide, as far as it has blended into its wisp.
                     let (low, high) = (mixed.min(ends[0].0), mixed.max(ends[0].0));
                     let long = length(&strand.points);
                     if long < low { long / low } else { (long / high).max(1.0) }
@@ -144,7 +144,7 @@ fn roots_have_no_kinks() {
             "curliness {curliness}: median {:.1}, 99 of 100 {:.1}, largest {:.1} degrees",
             kinks[2000], kinks[3960], kinks[3999]
         );
-        // Curls that leave their wisp's way are no kinks of the root's; one in a thousand is left out.
+        // Curls that leave their wisp's path are no kinks at the root; one in a thousand is ignored.
         let most = if curliness == 0.5 { [5.0, 10.0] } else { [35.0, 60.0] };
         assert!(kinks[3960] < most[0] && kinks[3996] < most[1], "{} {}", kinks[3960], kinks[3996]);
     }
@@ -210,7 +210,7 @@ fn tips_are_drawn_together_but_do_not_meet() {
     }
 }
 
-/// The share of strands whose tip stands above the root by more than three tenths of their length.
+/// The fraction of strands whose tip is above the root by more than three tenths of their length.
 fn standing<'a>(strands: impl Iterator<Item = &'a [Vector3<f64>]>) -> f64 {
     let up = strands.map(|points| (points[points.len() - 1] - points[0]).y > 0.3 * length(points)).collect::<Vec<_>>();
     share(up.into_iter())
@@ -264,7 +264,7 @@ fn wisps_stray_together_and_flyaways_alone() {
     let members = wisps(pose.hair(), 3);
     for members in &members {
         for index in members {
-            // All of a wisp by the same way, but for how far short strands go over to it.
+            // All of a wisp along the same path, except for the incomplete blend of short strands.
             let most = members.iter().map(|other| moved(*other).norm()).fold(0.0, f64::max);
             assert!(moved(*index).cross(&moved(members[0])).norm() < 1e-3 * most * most + 1e-9);
         }

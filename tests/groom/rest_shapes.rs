@@ -1,4 +1,4 @@
-//! Shapes taken as they are: grooms that rest as drawn, the stiffening that a strand needs to stand, the present shape made natural or a rest
+//! Restyling: grooms that rest as drawn, the stiffening that a strand needs to stand, the current shape as natural or rest
 //! shape in the middle of a run.
 
 use std::path::Path;
@@ -188,7 +188,7 @@ fn a_shape_taken_in_the_middle_of_a_run_is_rested_in() {
     // Nothing moved, nothing stopped.
     assert!(points(&solver, &ids) == at && solver.rates(ids[0]).unwrap() == rates);
     assert_eq!(solver.shapes(&ids).unwrap(), taken);
-    // What swings comes to rest there, since there is friction.
+    // Swinging strands settle there, since there is friction.
     let mut left = solver_under(WEIGHT);
     left.restore(&solver.snapshot()).unwrap();
     let others = left.strand_ids();
@@ -197,7 +197,7 @@ fn a_shape_taken_in_the_middle_of_a_run_is_rested_in() {
     run(&mut left, 20.0);
     let came = largest(&moved(&left, &others, &at));
     assert!(came < 1e-6, "{came}");
-    // What is stopped stays.
+    // Stopped strands stay.
     solver.set_shapes(&ids, &taken).unwrap();
     run(&mut solver, 10.0);
     let still = largest(&moved(&solver, &ids, &at));
@@ -225,7 +225,7 @@ fn a_shape_made_natural_carries_no_strain_and_sags() {
 }
 
 #[test]
-fn a_rest_shape_is_that_of_the_closed_form_and_forgets_what_was_authored() {
+fn a_rest_shape_has_the_closed_form_and_discards_the_original() {
     let (mut solver, ids) = swinging();
     solver.set_element_count(&ids, 3).unwrap();
     let shape = solver.curvatures(ids[0]).unwrap().to_vec();

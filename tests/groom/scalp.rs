@@ -1,4 +1,4 @@
-//! Follicles on scalps: as far apart as promised, as dense as the map says, in frames that are orthonormal, smooth and go with the mesh.
+//! Follicles on scalps: as far apart as promised, as dense as the map, in frames that are orthonormal, smooth and move with the mesh.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::Error;
@@ -235,7 +235,7 @@ fn frames_are_orthonormal_and_along_normal_and_u() {
         assert!((turned * Vector3::y()).angle(&east) < off, "{} {}", (turned * Vector3::y()).angle(&east), out.z);
         assert!((turned.matrix().determinant() - 1.0).abs() < 1e-12);
     }
-    // Across triangles: along a line, frames turn by no more than the way there.
+    // Across triangles: along a line, frames turn by no more than the distance permits.
     let uvs: Vec<_> = (0..4000).map(|k| [0.1 + 2e-4 * f64::from(k), 0.2 + 1.5e-4 * f64::from(k)]).collect();
     let line = scalp.follicles_at(&uvs, Jitter::default()).expect("on the scalp");
     let frames = scalp.frames(scalp.vertices(), &line).expect("frames");

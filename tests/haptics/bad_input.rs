@@ -1,4 +1,4 @@
-//! What cannot be is refused by name, and nothing changes.
+//! Invalid input is refused by name, and nothing changes.
 
 use nalgebra::Vector3;
 use superhelix::haptic::{HapticOptions, Mode, haptic};
@@ -64,7 +64,7 @@ fn bodies_that_are_no_tool_are_named() {
 }
 
 #[test]
-fn a_body_that_is_gone_stops_the_simulations_side_and_a_pose_that_is_none_the_devices() {
+fn a_removed_body_stops_the_simulations_side_and_an_invalid_pose_the_devices() {
     let (mut solver, teeth) = combed_hair(2, 0.0);
     let (mut tool, mut device) = haptic(&solver, &teeth, &HapticOptions::default()).unwrap();
     let zero = Vector3::zeros();
@@ -84,7 +84,7 @@ fn a_body_that_is_gone_stops_the_simulations_side_and_a_pose_that_is_none_the_de
 }
 
 #[test]
-fn compliance_is_asked_for_with_numbers_that_can_be() {
+fn compliance_needs_valid_numbers() {
     let (solver, teeth) = combed_hair(2, 0.0);
     let mut out = Default::default();
     assert_eq!(named(solver.touch_compliance(&teeth, 0.0, 1e-3, &mut out)), "seconds");

@@ -1,21 +1,22 @@
 //! The same stroke felt directly, with the solver at the device's rate, and handed over from steps at a simulation's.
 //!
-//! A simulation at 120 Hz is another one than at 1 kHz: hair that is struck takes its blow in one step of 8 ms or in one of 1 ms. What that alone comes to
-//! is told beside: the forces of the simulation's own steps, drawn straight from one to the next, which nobody could feel before the later one is known.
+//! A simulation at 120 Hz differs from one at 1 kHz: hair that is struck takes its blow in one step of 8 ms or in one of 1 ms.
+//! The effect of that alone is printed beside: the forces of the simulation's own steps, interpolated linearly, which a hand
+//! could not feel before the later one is known.
 
 use superhelix::haptic::HapticOptions;
 
 use super::agreement::{Forces, difference, drawn, rms};
 use super::scene::{Rate, combed_hair, direct, handed_over_and_simulated, stroke};
 
-/// What is left between a stroke felt directly and handed over, and between that and the simulation's own steps: of the forces in every tick, and of their
-/// means over 8 and 25 ms.
+/// The difference between a stroke felt directly and handed over, and between that and the simulation's own steps: for the forces
+/// in every tick, and for their means over 8 and 25 ms.
 struct Off {
     felt: [f64; 3],
     simulated: [f64; 3],
 }
 
-/// A stroke so many times slower than 1.4 s.
+/// A stroke this many times slower than 1.4 s.
 fn compare(strands: usize, curvature: f64, slower: f64, rate: f64, late: f64) -> Off {
     let options = HapticOptions::default();
     let (way, seconds) = (|t: f64| stroke(t / slower), 1.4 * slower);

@@ -67,7 +67,7 @@ fn what_the_hand_feels_is_the_formula_at_the_solvers_contacts() {
                 force -= (velocity - along) * beta + along * f;
                 pressing += 1;
             }
-            // (Half a step after a hand-over the force is still on its way from the one before.)
+            // (Half a step after a hand-over the force is still changing from the previous one.)
             let is_blended = mode == Mode::HandOver && state.model_age < 5.5e-3;
             if pressing > 3 && !is_blended && velocity.norm() > 0.05 {
                 let apart = (state.contact.force - force).norm() / force.norm();

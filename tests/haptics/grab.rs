@@ -1,4 +1,4 @@
-//! A hand that grabs: how soon it feels what it has done, and that stick, slip and leave make no step beyond the stated one.
+//! A hand that grabs: how soon it feels the result, and that stick, slip and separation cause no jump beyond the stated one.
 
 use nalgebra::Vector3;
 use superhelix::Frame;
@@ -41,7 +41,7 @@ fn a_grab_is_felt_at_once_however_slow_the_simulation_is() {
     for (rate, late) in [(60.0, 4e-3), (120.0, 0.0), (120.0, 4e-3), (240.0, 2e-3)] {
         let (handed_over, most) = rise(Mode::HandOver, Rate::new(rate, late));
         println!("{rate} Hz, {late} s late: {handed_over} ms to nine tenths of {most:e} N");
-        // The way itself takes two updates.
+        // The motion itself takes two updates.
         assert!(handed_over <= 4, "{rate}: {handed_over} ms");
         assert!(most > 2e-5, "{rate}: {most:e}");
     }

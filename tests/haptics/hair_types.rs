@@ -1,4 +1,4 @@
-//! A comb through the four hairs of Bonanni and Kmoch's table 1: what holds it back ranks as their stiffness and friction do.
+//! A comb through the four hairs of Bonanni and Kmoch's table 1: the resistance ranks like their stiffness and friction.
 
 use superhelix::hair::HairType;
 use superhelix::haptic::HapticOptions;
@@ -6,7 +6,7 @@ use superhelix::haptic::HapticOptions;
 use super::scene::{Rate, handed_over};
 use super::typed_hair::{SLOWER, hair, stroke_of};
 
-/// The mean drag on the way down, N.
+/// The mean drag during the downward stroke, N.
 fn drag(hair_type: HairType) -> f64 {
     let way = |t: f64| stroke_of(t / SLOWER);
     let felt = handed_over(hair(hair_type), way, 1.4 * SLOWER, Rate::new(120.0, 4e-3), &HapticOptions::default());

@@ -1,4 +1,4 @@
-//! Hair that is heavier than what the coupling holds within a step: the tool does not leap between device and hair.
+//! Hair that is heavier than what the coupling holds within a step: the tool does not jump between device and hair.
 
 use superhelix::haptic::{HapticOptions, Mode, haptic};
 

@@ -1,4 +1,4 @@
-//! No force beyond what the options allow, no jump at stick, slip and leave, and what comes of a simulation that stops.
+//! No force beyond the options' limits, no jump at stick, slip and separation, and the effect of a simulation that stops.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::Frame;

@@ -9,7 +9,7 @@ use superhelix::{Frame, Wrench};
 
 use super::scene::{Numbers, combed_hair, stroke};
 
-/// The book, kept apart from the engine's: work of a force over the way that the hand went while it was out.
+/// An account separate from the engine's: work of a force over the hand's motion while it was applied.
 #[derive(Default)]
 struct Book {
     got: f64,
@@ -32,8 +32,8 @@ fn way(numbers: &mut Numbers, size: f64) -> Vector3<f64> {
     Vector3::from_fn(|_, _| numbers.between(-size, size))
 }
 
-/// A hand of some mass and grip is drawn about by a random course, against a wall of springs that is told late and pushes harder than it was pushed: what
-/// an unhappy simulation would do. `limit` is the account that is tested, or none. Gives the most that the hand got beyond what it gave.
+/// A hand of some mass and grip is drawn about by a random course, against a wall of springs that receives its pose late and pushes back harder: what
+/// a bad simulation would do. `limit` is the tested account, or none. Returns the largest excess of energy to the hand.
 fn stroke_against_late_wall(seed: u64, options: &HapticOptions, is_limited: bool) -> f64 {
     let mut numbers = Numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let rate = numbers.between(100.0, 1000.0);
@@ -146,13 +146,13 @@ fn strokes_through_hair_are_passive_and_the_state_keeps_the_book() {
 }
 
 #[test]
-fn what_is_passive_is_left_as_it_is() {
+fn passive_forces_are_unchanged() {
     let account = Passivity::new(&HapticOptions::default());
     let mut wrench = Wrench { force: Vector3::new(-3.0, 0.5, 0.0), torque: Vector3::zeros() };
     let before = wrench;
     assert!(!account.limit(&mut wrench, [Vector3::x() * 0.2, Vector3::zeros()], 1e-3));
     assert_eq!(wrench, before);
-    // And of what drives the hand the part across its way is left longest.
+    // And of the force that drives the hand, the part across its motion stays longest.
     let mut driving = Wrench { force: Vector3::new(3.0, 0.5, 0.0), torque: Vector3::zeros() };
     assert!(account.limit(&mut driving, [Vector3::x() * 2.0, Vector3::zeros()], 1e-3));
     assert!((driving.force.y - 0.5).abs() < 1e-12 && driving.force.x < 0.5 && driving.force.x > 0.0, "{driving:?}");

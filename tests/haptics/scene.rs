@@ -1,4 +1,4 @@
-//! Hair that hangs from a row of follicles, a comb of seven teeth, and the ways to have a hand lead it.
+//! Hair that hangs from a row of follicles, a comb of seven teeth, and paths of the hand.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -66,14 +66,14 @@ pub fn stroke(t: f64) -> Frame {
     Frame { origin, ..Frame::default() }
 }
 
-/// A way and its velocities, by differences.
+/// A path and its velocities, by differences.
 pub fn motion(way: impl Fn(f64) -> Frame, t: f64) -> (Frame, Vector3<f64>, Vector3<f64>) {
     let (now, before) = (way(t), way(t - TICK));
     let turn = (now.rotation * before.rotation.inverse()).scaled_axis();
     (now, (now.origin - before.origin) / TICK, turn / TICK)
 }
 
-/// What the hand felt, an update each.
+/// The forces on the hand, one per update.
 pub type Felt = Vec<(Wrench, HapticState)>;
 
 /// A hand leads the comb while the solver steps at the device's rate.

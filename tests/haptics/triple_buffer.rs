@@ -53,7 +53,7 @@ fn the_newest_message_replaces_those_that_nobody_took() {
 }
 
 #[test]
-fn what_does_not_fit_is_not_written() {
+fn numbers_beyond_the_capacity_are_dropped() {
     let (mut publisher, mut taker) = exchange(2);
     publisher.publish(|writer| writer.numbers(&[1.0, 2.0, 3.0]));
     assert_eq!(taker.take(|reader| reader.numbers::<3>()), Some([1.0, 2.0, 0.0]));

@@ -1,4 +1,4 @@
-//! An allocator that counts the bytes that are held.
+//! An allocator that counts the bytes in use.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};

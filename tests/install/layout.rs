@@ -70,7 +70,7 @@ fn no_file_names_a_path_of_the_machine_that_built_it() {
 }
 
 #[test]
-fn uninstalling_leaves_what_others_put_there() {
+fn uninstalling_leaves_other_files() {
     let destdir = Folder::new();
     run(&mut make("install", destdir.path()));
     let others = ["opt/hair/include/other.h", "opt/hair/lib/multiarch/cmake/superhelix/site.cmake"];

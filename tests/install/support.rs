@@ -41,7 +41,7 @@ pub fn output(command: &mut Command) -> Output {
     })
 }
 
-/// What a command prints; it has to succeed.
+/// The output of a command, which must succeed.
 pub fn run(command: &mut Command) -> String {
     let output = output(command);
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -49,7 +49,7 @@ pub fn run(command: &mut Command) -> String {
     printed
 }
 
-/// What a command that has to fail writes to both of its outputs.
+/// Both outputs of a command that must fail.
 pub fn refused(command: &mut Command) -> String {
     let output = output(command);
     let printed = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
@@ -136,7 +136,7 @@ pub fn staged() -> &'static Path {
     })
 }
 
-/// The same after it was moved to where nobody said it would be.
+/// The same after moving it to an unexpected place.
 pub fn moved() -> &'static Path {
     static MOVED: OnceLock<PathBuf> = OnceLock::new();
     MOVED.get_or_init(|| {
@@ -155,7 +155,7 @@ pub fn needed(program: &Path) -> String {
     dynamic.lines().filter(|line| line.contains("(NEEDED)")).collect::<Vec<_>>().join("\n")
 }
 
-/// hello prints the way of a tip, six lines that end in metres.
+/// hello prints the path of a tip, six lines that end in metres.
 pub fn is_hello(printed: &str) {
     assert_eq!(printed.lines().filter(|line| line.ends_with(") m")).count(), 6, "{printed}");
 }

@@ -1,4 +1,4 @@
-//! The trajectories of the independent oracle (`tests/oracle/`), with the strands that they are of.
+//! The trajectories of the independent oracle (`tests/oracle/`), with their strands.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde_json::Value;

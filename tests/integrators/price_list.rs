@@ -1,4 +1,4 @@
-//! The engine's table of errors and costs is the measured one; presets and suggestions keep what it says; the engine still errs by
+//! The engine's table of errors and costs is the measured one; presets and suggestions keep its promises; the engine still errs by
 //! what was measured.
 
 #[path = "../../examples/tradeoff/hair.rs"]
@@ -101,7 +101,7 @@ fn suggestions_keep_the_error_in_every_scene_that_was_asked_for() {
         let product = product(hair);
         for (bits, target) in [(63, 0.3), (63, 0.1), (63, 0.03), (1, 0.01), (3, 0.03), (16, 1e-3), (62, 0.05), (32, 0.02)] {
             let scenes = Scenes::from_bits("scenes", bits).unwrap();
-            // A frame that every rate divides: substeps tell the rate.
+            // A frame that every rate divides: substeps identify the rate.
             let chosen = suggest_settings(target, scenes, &shape(hair), 1.0 / 6.0);
             let keeps = |rate: u32, elements: u32| {
                 let rows = product.iter().filter(|row| row.0 == rate && row.1 == elements && bits & (1 << row.2) != 0);
@@ -112,7 +112,7 @@ fn suggestions_keep_the_error_in_every_scene_that_was_asked_for() {
                     found += 1;
                     assert!(keeps(6 * chosen.substeps, chosen.elements), "{hair:?} {bits} {target}: {chosen:?}");
                     assert!(chosen.error.unwrap() <= target * 1.000_001 && chosen.cost.unwrap() > 0.0);
-                    // What is finer than that keeps it as well.
+                    // Finer settings keep it as well.
                     for (rate, elements) in RATES.into_iter().flat_map(|rate| ELEMENTS.map(|elements| (rate, elements))) {
                         if rate >= 6 * chosen.substeps && elements >= chosen.elements {
                             assert!(keeps(rate, elements), "{hair:?} {bits} {target}: {rate} {elements} beside {chosen:?}");
@@ -129,7 +129,7 @@ fn suggestions_keep_the_error_in_every_scene_that_was_asked_for() {
                 Err(Error::InvalidArgument { argument, expected, .. }) => {
                     assert_eq!(argument, "target_error");
                     assert!(!keeps(960, 50), "{hair:?} {bits} {target}: {expected}");
-                    // What it says can be had, can be had.
+                    // Every offered accuracy is attainable.
                     let least: f64 = expected.split(' ').next().unwrap().parse().unwrap();
                     suggest_settings(1.01 * least, scenes, &shape(hair), 1.0 / 6.0).unwrap();
                 }

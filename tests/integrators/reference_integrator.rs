@@ -1,4 +1,4 @@
-//! The reference integrator meets the tolerance that it is given: against the independent oracle, in energy, at rest, with frozen freedoms.
+//! The reference integrator meets its tolerance: against the independent oracle, in energy, at rest, with frozen freedoms.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use superhelix::{
 };
 
 fn options(reference_tolerance: f64) -> StepOptions {
-    // Its steps have fine rules of their own; energies are told with those of the options.
+    // Its steps have fine rules of their own; reported energies use those of the options.
     StepOptions { integrator: Integrator::Reference, reference_tolerance, quadrature_tolerance: 1e-12, ..StepOptions::default() }
 }
 
@@ -74,7 +74,7 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
 #[test]
 fn it_meets_its_tolerance_on_every_reference_trajectory() {
     for case in oracle_cases::all() {
-        // What the oracle itself is good to.
+        // The accuracy of the oracle.
         let known = case.uncertainty / case.def.length();
         let mut last = f64::INFINITY;
         let tolerances: &[f64] =
@@ -247,7 +247,7 @@ fn steps_are_as_short_as_the_motion_asks() {
 
 #[test]
 fn a_root_that_starts_with_a_jerk_strikes_the_strand() {
-    // A root at rest that is told to be elsewhere leaves smoothly; one that is said to move at the start and does not is stopped at once.
+    // A resting root with a new target starts smoothly; one with an initial velocity that does not move stops at once.
     // The strand keeps its generalised momenta: the follicle alone can push.
     let mut solver =
         Solver::new(SolverOptions { step: options(1e-8), gravity: Vector3::zeros(), ..SolverOptions::default() }).unwrap();

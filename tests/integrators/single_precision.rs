@@ -1,5 +1,5 @@
-//! Single precision: how far it goes with double precision, against theory and trajectories of the independent oracle. What it is good
-//! for over all of stiffness, curl, elements and steps is measured by `examples/single_precision` and told in docs/theory/lanes.md.
+//! Single precision: how far it agrees with double precision, against theory and trajectories of the independent oracle. Its range
+//! over stiffness, curl, elements and steps is measured by `examples/single_precision` and documented in docs/theory/lanes.md.
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -36,7 +36,7 @@ fn apart(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
 }
 
-/// The oracle's trajectories: f32 stays as near to f64 as rounding of positions lets it. 10⁻⁷ L made anew at each step is a velocity of
+/// The oracle's trajectories: f32 stays as near to f64 as rounding of positions lets it. 10⁻⁷ L of fresh rounding at each step is a velocity of
 /// 10⁻⁷ L/h, which adds up at random: about as h^-1.5, from some 10⁻⁶ L at 1/60 s. The bounds are a few times what half a second of the
 /// most sensitive of the motions was seen to make of it.
 #[test]
@@ -96,7 +96,7 @@ fn a_strand_at_rest_stays() {
 /// Changes a step far below the last digit of an f32 add up: a strand whose friction is so strong that its curvature goes
 /// κ = κⁿ − (κⁿ − κ₀) exp(−t/μ) with μ a day goes there, although each step changes it by a hundredth of a rounding.
 #[test]
-fn what_is_too_small_for_a_step_is_not_lost() {
+fn changes_too_small_for_a_step_are_not_lost() {
     for integrator in [Integrator::ImplicitEuler, Integrator::SecondOrder, Integrator::LinearlyImplicit] {
         let mut options = SolverOptions { gravity: Vector3::zeros(), ..SolverOptions::default() };
         (options.step.precision, options.step.integrator) = (Precision::F32, integrator);

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use superhelix::{Frame, Integrator, Solver, SolverOptions, StepOptions, StrandDef};
 
-/// Velocities along a strand after ten steps of `h`, the first of which strikes it: its root, on its way, stops at once.
+/// Velocities along a strand after ten steps of `h`, the first of which strikes it: its moving root stops at once.
 fn velocities(integrator: Integrator, tolerance: f64, h: f64) -> Vec<Vector3<f64>> {
     let step = StepOptions { integrator, tolerance, ..StepOptions::default() };
     let mut solver = Solver::new(SolverOptions { step, ..SolverOptions::default() }).unwrap();

@@ -1,4 +1,4 @@
-//! Steps taken in parts: where a strand's step does not converge, and where it errs by more than allowed.
+//! Subdivided steps: where a strand's step does not converge, and where it errs by more than permitted.
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -39,7 +39,7 @@ fn shake_once(solver: &mut Solver, shaken: StrandId, step: i32) -> superhelix::S
 }
 
 #[test]
-fn a_step_that_does_not_converge_is_taken_in_parts_and_then_does() {
+fn a_step_that_does_not_converge_does_so_in_substeps() {
     let run = |max_subdivisions: u32| {
         let mut options = SolverOptions::default();
         (options.step.max_iterations, options.step.max_subdivisions) = (8, max_subdivisions);
@@ -90,7 +90,7 @@ fn only_the_strand_that_needs_parts_takes_them_whatever_the_threads() {
     }
 }
 
-/// Largest error of the tip, in lengths, over an oracle's trajectory in calls of 1/60 s; the largest error that a step told; mean parts.
+/// Largest error of the tip, in lengths, over an oracle's trajectory in calls of 1/60 s; the largest error that a step reported; mean number of substeps.
 fn with_error_tolerance(case: &Case, integrator: Integrator, error_tolerance: f64) -> (f64, f64, u32) {
     let mut options = SolverOptions::default();
     options.step.integrator = integrator;
@@ -143,7 +143,7 @@ fn a_smaller_error_tolerance_brings_a_smaller_error_at_the_same_frames() {
 }
 
 #[test]
-fn the_error_that_a_step_tells_falls_with_its_cube() {
+fn the_reported_error_of_a_step_falls_with_its_cube() {
     // A smooth motion: a strand let go, past its start.
     let told = |h: f64| {
         let mut options = SolverOptions::default();

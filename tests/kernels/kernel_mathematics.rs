@@ -1,4 +1,4 @@
-//! The formulas under the engine, each against something that had no part in it: mpmath, an independent oracle, finite differences, and
+//! The formulas under the engine, each against an independent result: mpmath, an independent oracle, finite differences, and
 //! the dense and the linear-time solve against each other.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};

@@ -1,4 +1,4 @@
-//! Quadrature to a tolerance: the table of rules against dense quadrature, and what a step makes of the rules.
+//! Quadrature to a tolerance: the table of rules against dense quadrature, and the rules' effect on a step.
 
 #[path = "../../examples/quadrature/angles.rs"]
 #[allow(dead_code)]
@@ -69,7 +69,7 @@ fn solver_with(quadrature_tolerance: f64, gravity: Vector3<f64>) -> Solver {
 const WEIGHT: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 
 #[test]
-fn a_strand_tells_its_points_and_its_error() {
+fn a_strand_reports_its_points_and_its_error() {
     for (tolerance, turn, points) in
         [(1e-2, 0.5, 3), (1e-4, 0.0, 4), (1e-4, 1.5, 4), (1e-4, 2.5, 5), (1e-6, 0.1, 4), (1e-6, 1.5, 5), (1e-10, 9.0, 14)]
     {

@@ -58,7 +58,7 @@ fn greenhill() {
         assert_eq!(branch.criticals.len(), 1);
         let buckling = &branch.criticals[0];
         assert!(buckling.kind == CriticalKind::Bifurcation && buckling.loses_stability);
-        // Upright the eigenvalue is linear in Γ: one value tells its zero.
+        // Upright the eigenvalue is linear in Γ: one value determines its zero.
         let half = smallest_eigenvalue(&def, &vec![[0.0; 3]; count], GRAVITY * 4.0).unwrap();
         assert!((buckling.parameter * (1.0 - half) / 4.0 - 1.0).abs() < 1e-8, "{}", buckling.parameter);
         assert!(buckling.eigenvalue.abs() < 1e-9, "{}", buckling.eigenvalue);
@@ -82,7 +82,7 @@ fn greenhill() {
         }
     }
     println!("Greenhill: {found:?}, extrapolated {}", (4.0 * found[1] - found[0]) / 3.0);
-    // 7.5e-4 at N = 20; what is left after extrapolation is of fourth order.
+    // 7.5e-4 at N = 20; the error after extrapolation is of fourth order.
     assert!(((4.0 * found[1] - found[0]) / 3.0 / critical - 1.0).abs() < 1e-5);
 }
 
@@ -146,7 +146,7 @@ fn a_clamp_that_turns() {
     check_points(&def, &load, &branch.points);
 }
 
-/// A strand bent over by its weight, in its plane, whose clamp is turned against the way it lies: it holds beyond the upright, then snaps.
+/// A strand bent over by its weight, in its plane, whose clamp is turned against its lean: it holds beyond the upright, then snaps.
 #[test]
 fn a_fold_where_a_strand_snaps_over() {
     let turned = |degrees: f64| {

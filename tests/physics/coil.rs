@@ -92,7 +92,7 @@ fn twist_relaxes() {
         );
         assert!((1.8..2.3).contains(&order) && errors[2] < 1e-3, "{errors:?}");
     }
-    // Nothing resists: after any step, however short, it is gone.
+    // Nothing resists: it vanishes in any step, however short.
     for (h, twist) in [(1e-5, 15.0), (1e-3, 15.0), (1.0 / 60.0, 15.0), (1e-5, 60.0), (1e-3, 60.0), (1.0 / 60.0, 60.0)] {
         let mut def = StrandDef::straight(0.1, 4);
         def.root.rotation = crate::rods::down();

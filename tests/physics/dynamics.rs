@@ -35,7 +35,7 @@ fn error(def: &StrandDef, tips: &[Vector3<f64>], seconds: f64, per_frame: u32) -
     error_along(def, &|_| def.root, tips, seconds, per_frame)
 }
 
-/// The same with the root on its way; it is told where to be at every step.
+/// The same with a moving root, whose pose is set at every step.
 fn error_along(def: &StrandDef, root: Way, tips: &[Vector3<f64>], seconds: f64, per_frame: u32) -> f64 {
     // What is measured is the step and the elements, down to 1e-5 L: the default 1e-4 would be seen where one element turns far.
     let step = StepOptions { quadrature_tolerance: 1e-10, ..StepOptions::default() };
@@ -85,7 +85,7 @@ fn record_steps(name: &str, rates: &[u32], errors: &[f64]) {
     }
 }
 
-/// Roots on their way: R1 translated, R2 turned (hanging rods, in the plane), D5 a curl of one element translated.
+/// Moving roots: R1 translated, R2 turned (hanging rods, in the plane), D5 a curl of one element translated.
 #[test]
 fn moving_roots() {
     let reference = reference();
@@ -135,7 +135,7 @@ fn moving_roots() {
     }
 }
 
-/// One element: what is left is the step's error, and it falls by four when the step is halved.
+/// One element: the error is the step's, and falls by a factor of four when the step is halved.
 #[test]
 fn one_element_converges_at_second_order_in_the_step() {
     let reference = reference();

@@ -132,7 +132,7 @@ fn a_motion_asks_for_its_own() {
     let found = suggest_elements(&def(1), &demand).unwrap();
     let resting = suggest_elements(&def(1), &Demand { motion: None, ..demand.clone() }).unwrap();
     assert!(found.met && found.elements > resting.elements, "{found:?} {resting:?}");
-    // Against forty elements, stepped the same way.
+    // Against forty elements with the same steps.
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let mut strands = [def(found.elements), def(40)];
     strands.iter_mut().for_each(|strand| strand.root = frames[0]);

@@ -1,4 +1,4 @@
-//! The search for equilibria over the whole space of strands: it converges, says so, and where it does the strand rests.
+//! The search for equilibria over the whole space of strands: it converges and reports so, and the strand then rests.
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! The solver against theory: what rests stays, what falls keeps its energy to the order of the step, weight is felt at the follicle,
+//! The solver against theory: a resting strand stays, a falling one keeps its energy to the order of the step, the follicle carries the weight,
 //! frozen freedoms, frames of reference.
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -84,7 +84,7 @@ fn the_follicle_feels_the_weight_at_rest() {
 
 #[test]
 fn undamped_energy_is_lost_at_first_order_in_the_step() {
-    // A curved strand of three elements let go: total energy is a constant of the motion, and implicit Euler loses a share of it that
+    // A curved strand of three elements let go: total energy is a constant of the motion, and implicit Euler loses a fraction of it that
     // halves with the step.
     let mut def = StrandDef::straight(0.1, 3);
     def.material = Material { radius: [80e-6, 60e-6], youngs_modulus: 3e9, ..Material::default() };
@@ -386,7 +386,7 @@ fn strands_from_one_to_a_thousand_elements_step() {
             let report = solver.step(1.0 / 60.0, 1).unwrap();
             assert_eq!((report.unconverged, report.quarantined), (0, 0), "{count}");
         }
-        // Inextensible: the way along the samples is the length, less the chords' shortening.
+        // Inextensible: the path along the samples has the strand's length, minus the chords' shortening.
         let all = points(&solver, id, 4001);
         let way: f64 = all.windows(2).map(|p| (p[1] - p[0]).norm()).sum();
         assert!((way - 0.2).abs() < 1e-7, "{count}: {way}");

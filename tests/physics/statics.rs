@@ -245,7 +245,7 @@ fn hair(row: &Value, count: usize) -> StrandDef {
     def
 }
 
-/// Paper 000, appendix B: measured hair, elliptic and naturally twisted, at rest; and the slowest vibrations about it.
+/// Bertails et al. 2006, appendix B: measured hair, elliptic and naturally twisted, at rest; and the slowest vibrations about it.
 #[test]
 fn hair_of_the_papers_appendix() {
     for row in rows(&reference()["hairs"]) {
@@ -271,7 +271,7 @@ fn hair_of_the_papers_appendix() {
     }
 }
 
-/// Where the tip goes at the first touch of gravity: d(tip)/dΓ at Γ = 0, in the tip's share of the reference's.
+/// The tip's initial response to gravity: d(tip)/dΓ at Γ = 0, relative to the reference's.
 #[test]
 fn linear_response() {
     let gamma = 1e-5;
@@ -411,7 +411,7 @@ fn natural_frequencies() {
 }
 
 #[test]
-fn settling_says_what_is_wrong_and_changes_nothing() {
+fn settling_names_errors_and_changes_nothing() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let ids = solver.add_strands(&[upright(5, 20.0), upright(5, 5.0)]).unwrap();
     let before = solver.state_hash();

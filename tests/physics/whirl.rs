@@ -1,4 +1,4 @@
-//! Shafts that spin about their own axis, against linear theory, and a curl shaken up and down (paper 000, figure 7).
+//! Shafts that spin about their own axis, against linear theory, and a curl shaken up and down (Bertails et al. 2006, figure 7).
 
 use crate::rods::judge::{record, recording};
 use crate::rods::modes::{Mode, matrices, modes};
@@ -8,7 +8,7 @@ use superhelix::editing::EquilibriumOptions;
 use superhelix::internals::step::equilibrium::of_strand;
 use superhelix::{Frame, Integrator, Solver, SolverOptions, StrandDef};
 
-/// What a spinning shaft does with a small deflection: the growth rate, 1/s, and the rate at which it goes round, rad/s.
+/// The evolution of a spinning shaft's small deflection: the growth rate, 1/s, and the whirl rate, rad/s.
 struct Whirl {
     growth: f64,
     round: f64,
@@ -165,7 +165,7 @@ fn shaken(count: usize, integrator: Integrator, strength: f64, seconds: f64) -> 
     shaken
 }
 
-/// Paper 000, figure 7, left. Shaken gently a curl moves in its plane; shaken hard its weight, Γ (1 + a/g), passes the bend–twist
+/// Bertails et al. 2006, figure 7, left. Shaken gently a curl moves in its plane; shaken hard its weight, Γ (1 + a/g), passes the bend–twist
 /// transition (12.3 for a standing load, `bend_twist_transition`) for long enough, and it twists out.
 #[test]
 fn a_curl_shaken_up_and_down() {
@@ -187,7 +187,7 @@ fn a_curl_shaken_up_and_down() {
             assert!(curl.furthest > 0.2);
         }
     }
-    // The reference integrator sees it leave at the same time, and by the same way until then.
+    // The reference integrator sees it leave at the same time, and along the same path until then.
     let (mine, reference) = (shaken(5, Integrator::SecondOrder, 1.6, 1.3), shaken(5, Integrator::Reference, 1.6, 1.3));
     println!("N = 5, 1.6 g: leaves at {:?} s, by the reference at {:?} s", mine.left_at, reference.left_at);
     let left = mine.left_at.unwrap();

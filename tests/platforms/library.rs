@@ -1,5 +1,5 @@
 //! The library as other platforms have it, WebAssembly under node (`check.mjs`) and Windows (`check.c`): the C interface, and the golden courses of the
-//! tests, which must come to the same hashes there as on any other machine.
+//! tests, which must give the same hashes as on any other machine.
 #![allow(unsafe_code, reason = "exported by name")]
 
 extern crate superhelix as _;
@@ -20,13 +20,13 @@ pub extern "C" fn lanes_count() -> u32 {
     golden::GOLDEN.len() as u32
 }
 
-/// The hash that a course must come to.
+/// The golden hash of a course.
 #[unsafe(no_mangle)]
 pub extern "C" fn lanes_golden(course: u32) -> u64 {
     golden::GOLDEN[course as usize].2
 }
 
-/// The hash that it comes to by the best instructions of this machine, or (`scalar` is not 0) by none.
+/// Its hash with the best instructions of this machine or, if `scalar` is not 0, with none.
 #[unsafe(no_mangle)]
 pub extern "C" fn lanes_found(course: u32, scalar: u32) -> u64 {
     let set = if scalar != 0 { InstructionSet::Scalar } else { InstructionSet::detected() };
@@ -41,13 +41,13 @@ pub extern "C" fn contact_count() -> u32 {
     crowded_scene::GOLDEN.len() as u32
 }
 
-/// The hash that a course with contact must come to.
+/// The golden hash of a course with contact.
 #[unsafe(no_mangle)]
 pub extern "C" fn contact_golden(course: u32) -> u64 {
     crowded_scene::GOLDEN[course as usize].2
 }
 
-/// The hash that it comes to.
+/// Its hash.
 #[unsafe(no_mangle)]
 pub extern "C" fn contact_found(course: u32) -> u64 {
     let (model, together, _): (ContactModel, bool, u64) = crowded_scene::GOLDEN[course as usize];

@@ -1,4 +1,4 @@
-//! Rigid attachments: roots, bodies and targets go where a rigid carrier takes them, by one call; what was removed since is named and nothing
+//! Rigid attachments: roots, bodies and targets go where a rigid carrier takes them, by one call; what was removed in the meantime is named and nothing
 //! moves. And the numbers that hosts give to bodies and constraints.
 
 use std::sync::Arc;
@@ -75,7 +75,7 @@ fn all_that_is_attached_goes_along_with_its_carrier() {
 }
 
 #[test]
-fn what_was_removed_is_named_and_nothing_moves() {
+fn removed_things_are_named_and_nothing_moves() {
     let mut head = head();
     let pose = Frame::default();
     let attachment = head.solver.attach(&pose, &head.strands, &head.bodies, &head.pins).unwrap();

@@ -1,4 +1,4 @@
-//! Strands sampled in bulk, side by side and in f32, against the walk along each of them in f64; and the same bits whoever samples.
+//! Strands sampled in bulk, side by side and in f32, against a pass along each of them in f64; and the same bits for any number of threads.
 
 use std::sync::Mutex;
 
@@ -9,7 +9,7 @@ use superhelix::{Frame, InstructionSet, Material, Sample, Solver, SolverOptions,
 /// Position, quaternion x, y, z, w, velocity.
 type Numbers = [f64; 10];
 
-/// What came for every point; a point that comes twice is an error.
+/// The samples of every point; a point that comes twice is an error.
 struct Collected {
     points: usize,
     numbers: Mutex<Vec<Option<Numbers>>>,
@@ -84,7 +84,7 @@ fn errors<T: Real>(points: usize, rounding: f64) -> [f64; 3] {
         let on_border = point > 0 && point < points - 1 && (point * lengths.len()).is_multiple_of(points - 1);
         let expected = sample.position - origin;
         for axis in 0..3 {
-            // What is given out is rounded to the number type: half a unit in the last place is not the sampling's.
+            // Output is rounded to the number type: half a unit in the last place is not the sampling's.
             let off = (here[axis] - expected[axis]).abs() - rounding * expected[axis].abs();
             worst[0] = worst[0].max(off / length);
             let off = (here[7 + axis] - sample.velocity[axis]).abs() / fastest;
@@ -138,7 +138,7 @@ fn samples_do_not_depend_on_threads_instructions_or_neighbours() {
 }
 
 #[test]
-fn what_is_wrong_is_said_before_anything_is_sampled() {
+fn errors_are_reported_before_anything_is_sampled() {
     let (mut solver, ids) = head(Workers::Serial, None);
     solver.remove_strands(&ids[3..4]).unwrap();
     let wanted = Wanted { points_per_strand: 4, origin: Vector3::zeros(), positions: true, rotations: false, velocities: false };

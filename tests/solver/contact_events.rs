@@ -1,4 +1,4 @@
-//! Contacts that begin and end: a ball that strands meet and leave tells of both, once each, whatever slides in between; what has no room is
+//! Contacts that begin and end: a ball that strands meet and leave causes both events, once each, despite sliding in between; events without room are
 //! counted; and what a step spends its time on.
 
 use std::collections::BTreeSet;
@@ -53,7 +53,7 @@ fn touching(solver: &Solver) -> BTreeSet<(u64, u64)> {
     solver.contacts().iter().map(|contact| (contact.strand.bits(), of(contact.partner))).collect()
 }
 
-/// Against the list of contacts after every step: who is in it now and was not before has begun, and the other way round.
+/// Against the list of contacts after every step: pairs that are new have begun, and missing ones have ended.
 #[test]
 fn events_are_the_differences_of_the_lists_of_contacts() {
     let (mut solver, ids, ball) = scene(Workers::Serial);
@@ -132,7 +132,7 @@ fn what_has_no_room_is_counted_and_the_oldest_come_first() {
     let place = |event: &ContactEvent| (event.change, event.element, event.contact.arclength, event.contact.force);
     assert_eq!(some.iter().map(place).collect::<Vec<_>>(), all[..3].iter().map(place).collect::<Vec<_>>());
     assert!(solver.keep_contact_events(MOST_EVENTS + 1).is_err());
-    // What is removed ends nothing; what a snapshot brings back begins again.
+    // Removal causes no end event; contacts restored by a snapshot begin again.
     let image = solver.snapshot();
     solver.remove_bodies(&[ball]).unwrap();
     solver.step(1.0 / 60.0, 1).unwrap();
@@ -145,7 +145,7 @@ fn what_has_no_room_is_counted_and_the_oldest_come_first() {
 
 /// The phases are parts of the whole, and those that a scene does not have take no time.
 #[test]
-fn a_report_says_what_a_step_spent_its_time_on() {
+fn a_report_has_the_times_of_a_steps_phases() {
     let (mut solver, _, ball) = scene(Workers::Serial);
     send(&mut solver, ball, 0.0);
     let (mut sums, mut seconds) = ([0.0; 3], 0.0);

@@ -113,7 +113,7 @@ fn another_solver_s_identifiers_are_refused() {
 fn a_snapshot_goes_on_bit_for_bit_in_this_solver_and_in_another() {
     let (mut solver, ids) = solver(Workers::Serial, 20);
     run(&mut solver, &ids, 5);
-    // In the middle of a root's way.
+    // In the middle of a root's motion.
     solver.set_root_frames(&ids, &vec![Frame { origin: Vector3::new(0.1, 0.0, 0.0), ..Frame::default() }; 20], 0.1).unwrap();
     solver.step(0.03, 2).unwrap();
     solver.remove_strands(&[ids[4]]).unwrap();
@@ -250,7 +250,7 @@ fn samples_cover_the_strand_and_agree_with_each_other() {
         assert!(a.rotation.angle_to(&b.rotation) < 1e-7);
     }
     assert_eq!(uniform[0].position, solver.root_frame(id).unwrap().origin);
-    // The tangent is n0, and the velocity is the way of the point over a short step.
+    // The tangent is n0, and the velocity is the point's displacement over a short step.
     let small = 1e-7;
     for sample in &uniform[1..8] {
         let mut near = Vec::new();
@@ -264,7 +264,7 @@ fn samples_cover_the_strand_and_agree_with_each_other() {
     solver.sample_strands(&[id], 9, |_, _, s| after.push((s.position, s.velocity))).unwrap();
     for ((position, velocity), from) in after.iter().zip(&before).skip(1) {
         let moved = (position - from) / 1e-6;
-        // The mean velocity of the way against the one at its end: apart by the acceleration (hundreds of m/s²) times 1e-6 s.
+        // The mean velocity of the motion against the one at its end: apart by the acceleration (hundreds of m/s²) times 1e-6 s.
         assert!((moved - velocity).norm() < 1e-3 * (1.0 + velocity.norm()), "{moved} {velocity}");
     }
 }
@@ -281,7 +281,7 @@ fn memory_is_counted() {
     assert!((1000.0..4000.0).contains(&each), "{each}");
 }
 
-/// What a solver says of a strand it also takes: two-step differences of a frozen curvature once left it a rate of rounding, which was refused.
+/// A solver accepts its own output: two-step differences must leave a frozen curvature no rate of rounding, which would be refused.
 #[test]
 fn shapes_and_rates_go_out_and_in_again() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();

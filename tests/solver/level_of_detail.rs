@@ -1,4 +1,4 @@
-//! Living strands on more or fewer elements (`docs/theory/adaptive.md`): what is exact, and how near the rest is. `--nocapture` prints the
+//! Simulated strands on more or fewer elements (`docs/theory/adaptive.md`): what is exact, and how near the rest is. `--nocapture` prints the
 //! numbers of that page.
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
@@ -109,7 +109,7 @@ fn splitting_is_exact() {
                 def.freedoms = Freedoms::BEND1.union(Freedoms::BEND2);
                 def.natural = (0..5).map(|k| [10.0 + f64::from(k), 40.0 - f64::from(k), f64::from(k)]).collect();
             }
-            // Energies of large elements are held to those of small ones.
+            // Energies of large elements are compared with those of small ones.
             let step = StepOptions { integrator, tolerance: 1e-9, quadrature_tolerance: 1e-10, ..StepOptions::default() };
             let mut scene = Scene::with(def, step);
             scene.steps(12);
@@ -258,7 +258,7 @@ fn going_back_and_forth_does_not_drift() {
 
 #[test]
 fn changing_again_and_again_while_it_moves() {
-    // Hanging from a still root: what gravity and elasticity hold at the start is what there is to swing with.
+    // Hanging from a still root: the initial energy of gravity and elasticity drives the swing.
     let total = |scene: &Scene| scene.energies().iter().sum::<f64>();
     for damped in [true, false] {
         for (name, natural) in KINDS {
@@ -301,7 +301,7 @@ fn what_rests_stays_near() {
                 fastest = other.curve().iter().fold(fastest, |most, (_, velocity)| most.max(velocity.norm()));
             }
             let later = apart(&scene, &other).0;
-            // Where it goes is its own rest on so many elements: that distance is what the elements leave (1/N²), and no more.
+            // It moves to its own rest on that many elements: the distance is the elements' error (1/N²), and no more.
             let mut rest = other.copy();
             assert!(rest.solver.settle(&[rest.id], &EquilibriumOptions::default()).unwrap()[0].converged);
             let between = apart(&scene, &rest).0;
@@ -338,7 +338,7 @@ fn detail_of_the_natural_shape_comes_back() {
     println!("away {:.2e} m, back {:.2e} m, off by {distance:.2e} m", away.max_distance, back.max_distance);
     // Nearer than the five elements were: strain was kept, and the detail is back.
     assert!(distance < away.max_distance, "{distance} {away:?}");
-    // New natural curvatures are what is remembered from then on.
+    // New natural curvatures are kept from then on.
     scene.put_on(5);
     scene.solver.set_natural_curvatures(scene.id, &[[1.0, 2.0, 3.0]; 5]).unwrap();
     scene.put_on(20);
@@ -357,7 +357,7 @@ fn given_lengths_and_bad_input() {
     graded.put_on(12);
     assert!(graded.solver.element_lengths(graded.id).unwrap().iter().all(|l| (l - LENGTH / 12.0).abs() < 1e-15));
     graded.steps(5);
-    // Neither the wrench nor the way of the root is lost.
+    // Neither the wrench nor the motion of the root is lost.
     let mut moving = scene.copy();
     moving.solver.set_root_frames(&[moving.id], &[root_at(moving.time + 0.1)], 0.1).unwrap();
     moving.solver.step(0.05, 3).unwrap();

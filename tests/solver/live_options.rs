@@ -1,4 +1,4 @@
-//! Options of a living solver: changed, they act as if the solver had been made with them; unchanged, nothing happens; what restoring does
+//! Options of a solver: changed, they act as if the solver had been created with them; unchanged, nothing happens; what restoring does
 //! with them.
 
 use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! Snapshots that refer to shapes: they go on to the same bits, in the same solver and in another that was given the shapes; what is missing or
+//! Snapshots that refer to shapes: they continue with the same bits, in the same solver and in another that has the shapes; what is missing or
 //! damaged is named; sizes are known before anything is written.
 
 use std::sync::Arc;
@@ -45,7 +45,7 @@ fn snapshots_that_refer_to_shapes_go_on_to_the_same_bits() {
     let (mut solver, _) = scene();
     let (whole, small) = (solver.snapshot(), solver.snapshot_with(SnapshotShapes::Referenced).unwrap());
     let shapes = solver.snapshot_shapes().unwrap();
-    // What was left out is in the shapes: a grid once, a mesh and a hull.
+    // The omitted parts are in the shapes: a grid once, a mesh and a hull.
     assert!(small.len() + shapes.len() < whole.len() + 200 && small.len() < whole.len() / 10, "{} {}", small.len(), whole.len());
     let hash = solver.state_hash();
     run(&mut solver, 5);

@@ -1,4 +1,4 @@
-//! Combing removes a tangle: the lateral spread of a ruffled wisp falls stroke by stroke. What docs/theory/styling_tools.md shows of it is printed.
+//! Combing removes a tangle: the lateral spread of a ruffled wisp falls stroke by stroke. Prints the numbers in docs/theory/styling_tools.md.
 
 use nalgebra::Vector3;
 use superhelix::internals::math::rotation::from_rotation_vector;

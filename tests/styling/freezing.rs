@@ -9,7 +9,7 @@ use crate::scene::{STEP, apart, points, row};
 const WAVY: [[f64; 3]; 10] = [[3.0, 25.0, 5.0]; 10];
 const LENGTH: f64 = 0.12;
 
-/// Dragged into a style and frozen, hair stays as it is while its roots stand, to the bit; and goes along with them, to rounding.
+/// Dragged into a style and frozen, hair stays the same to the bit while its roots rest; and moves with them, to rounding.
 #[test]
 fn a_frozen_groom_keeps_its_shape() {
     let (mut solver, ids) = row(6, LENGTH, &WAVY);
@@ -77,7 +77,7 @@ fn finger(x: f64) -> BodyDef {
     BodyDef { pose, ..BodyDef::new(Arc::new(shape)) }
 }
 
-/// A finger wakes the strands that it comes to, one after the other, before it touches them, however far it goes in a step; the others sleep on.
+/// A finger wakes the strands that it approaches, one after the other, before contact, however far it moves in a step; the others stay asleep.
 #[test]
 fn touch_wakes() {
     for speed in [0.1, 0.5, 3.0] {

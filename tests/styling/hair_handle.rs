@@ -42,7 +42,7 @@ fn curve(handle: &HairHandle) -> CombingCurve {
     CombingTest::default().run(handle).unwrap()
 }
 
-/// The experiment ranks the table's hairs by stiffness and by friction as the table does. What it measures is printed for the documentation.
+/// The experiment ranks the table's hairs by stiffness and by friction as the table does. Prints the measurements for the documentation.
 #[test]
 fn combing_ranks_as_table_1_does() {
     let curves = TABLE.map(|kind| curve(&kind.into()));
@@ -67,7 +67,7 @@ fn combing_ranks_as_table_1_does() {
             if handles[a].bending_stiffness > 1.02 * handles[b].bending_stiffness {
                 assert!(curves[a].mean_pressure() > 1.02 * curves[b].mean_pressure(), "{:?} {:?}", TABLE[a], TABLE[b]);
             }
-            // 0.64 and 0.65 cN are 1.6 % apart: that is told too.
+            // 0.64 and 0.65 cN are 1.6 % apart: it distinguishes them too.
             if handles[a].frictional_force > 1.005 * handles[b].frictional_force {
                 assert!(curves[a].friction() > 1.003 * curves[b].friction(), "{:?} {:?}", TABLE[a], TABLE[b]);
             }

@@ -14,7 +14,7 @@ fn pose(x: f64, z: f64) -> Frame {
 }
 
 /// The comb comes from the side, catches what it meets, is drawn down, and each strand slides through its ring to the tip. The work of the hand is
-/// against it all the way.
+/// against it over the whole motion.
 #[test]
 fn strands_are_caught_combed_and_left() {
     let (mut solver, ids) = row(6, 0.12, &WAVY);

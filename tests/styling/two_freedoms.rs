@@ -1,4 +1,4 @@
-//! Two freedoms an element (twist and the bending about the limp axis) beside three: how far tips are off. docs/theory/hair_types.md has the table:
+//! Two freedoms an element (twist and bending about the soft axis) beside three: the error of tips. docs/theory/hair_types.md has the table:
 //! `cargo test --test styling two_freedoms -- --nocapture`.
 
 use std::f64::consts::PI;
@@ -84,7 +84,7 @@ fn tips_of_two_freedoms_and_of_three() {
     }
     let [straight, ..] = table;
     // In the plane of the limp axis straight hair moves alike; across it two freedoms cannot follow at once: a strand without curvature has no
-    // way to bend there but to twist first.
+    // way to bend there except to twist first.
     assert!(straight[1].0 < 0.01, "{straight:?}");
     assert!(straight[2].0 > 0.1, "{straight:?}");
 }

@@ -39,7 +39,7 @@ void HairComponent::make_wisps() {
   const sh::wisp_rod rod = sh::wisp_material(sh::wisp(), solver_.get_material(guides_[0]));
   solver_.set_materials(guides_, rod.material);
   solver_.stiffen_strands(guides_, sh::stiffen_by::youngs_modulus, rod.margin);
-  // The cheap model of contact. What the groom overlaps as it is drawn is permitted, so that it rests.
+  // The cheap contact model. Overlaps of the groom as drawn are permitted, so that it rests.
   solver_.set_contact_options(sh::contact_options().with_model(sh::contact_model::penalty));
   solver_.set_strand_contact(guides_, sh::strand_contact());
 }

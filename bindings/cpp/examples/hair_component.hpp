@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// What a vertex shader gets of a point of a strand.
+// A vertex shader's input for a point of a strand.
 struct HairVertex {
   std::array<float, 4> position_radius;  // m, relative to the camera's origin; the strand's radius
   std::array<float, 3> velocity;         // m/s, for motion blur
@@ -36,7 +36,7 @@ class HairComponent {
   HairComponent(const std::string &groom_file, superhelix::span<const superhelix::vec3> head_vertices,
                 superhelix::span<const superhelix::triangle> head_triangles, const Settings &settings);
 
-  // Goes on by frame_seconds towards where the head is at their end. Takes whole steps; what is left over waits for the next frame.
+  // Advances by frame_seconds towards the head's pose at their end. Takes whole steps; the remainder waits for the next frame.
   void update(double frame_seconds, const Pose &head);
 
   // The head was put elsewhere: hair goes along without a kick.

@@ -1,4 +1,4 @@
-// What the tests share. They are compiled in both ways that calls can fail: GET takes the value of a call in either, and ends the program where there is
+// Shared code of the tests. They are compiled with both ways of reporting errors: GET takes the value of a call in either, and ends the program where there is
 // none; WHY is the error of a call that should fail.
 #ifndef CHECK_HPP
 #define CHECK_HPP

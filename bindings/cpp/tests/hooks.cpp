@@ -17,7 +17,7 @@ TEST(a_callable_is_the_parallel_loop) {
     other.join();
   };
   solver serial = GET(solver::create());
-  // The definition is gone when the solver steps: the solver keeps what it was made from.
+  // The definition no longer exists when the solver steps: the solver keeps its own copy.
   solver parallel = GET(solver::create(solver_def().with_worker_count(2).with_parallel_for(loop)));
   EXPECT(calls.use_count() == 3);
   hanging(serial, 64);

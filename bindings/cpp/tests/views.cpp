@@ -26,7 +26,7 @@ static_assert(!std::is_convertible_v<std::vector<float> &, span<double>>);
 static_assert(sizeof(strand_def) == sizeof(shx_strand_def) && sizeof(body_def) == sizeof(shx_body_def));
 static_assert(sizeof(material) == sizeof(shx_material) && sizeof(constraint_def) == sizeof(shx_constraint_def));
 
-// What a definition keeps is no temporary.
+// A definition must not keep a temporary.
 static_assert(std::is_convertible_v<std::vector<double> &, kept<const double>> && !std::is_convertible_v<std::vector<double>, kept<const double>>);
 static_assert(std::is_convertible_v<span<const double>, kept<const double>> && !std::is_convertible_v<double, kept<const double>>);
 static_assert(std::is_convertible_v<std::vector<vec3> &, kept_input> && !std::is_convertible_v<std::vector<vec3>, kept_input>);

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Superhelix.Tests
 {
-  // What the tests share.
+  // Shared code of the tests.
   internal static class Check
   {
     internal sealed class Failure : Exception

@@ -357,7 +357,7 @@ namespace Superhelix.Tests
         Check.Fails(ErrorCode.InvalidArgument, () => hair.Step(-1));
         Check.That(lastLevel == LogLevel.Error && last.Contains("dt"), "an error's text");
       }
-      // What a callback throws comes out of the call, and the solver goes on.
+      // An exception of a callback comes out of the call, and the solver continues.
       bool throws = true;
       using (Solver hair = new Solver(new SolverDef { WorkerCount = 2, ParallelFor = (count, least, task) =>
       {

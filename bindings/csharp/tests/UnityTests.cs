@@ -60,7 +60,7 @@ namespace Superhelix.Tests
       Check.That(component.GuideCount == 228 && filter.sharedMesh.vertices.Length == 4000 && filter.sharedMesh.lines.Length == 2 * 500 * 7, "sizes");
       Send(component, "LateUpdate");
       Vector3[] before = filter.sharedMesh.vertices;
-      // Roots are on the head as it is in this object's space, mirrored back: near its vertices.
+      // Roots are on the head in this object's space, mirrored back: near its vertices.
       Vector3[] head = component.head.vertices;
       for (int i = 0; i < 4000; i += 800)
         Check.That(head.Min(v => (v - before[i]).magnitude) < 0.02f, "a root on the head");

@@ -1,4 +1,4 @@
-"""What the tests share: a count of the API's functions that were called, and scenes."""
+"""Shared code of the tests: a count of the API's functions called, and scenes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The farm gives the bits of a serial run, whoever dies on the way. Needs Dask and the superhelix binary (SUPERHELIX_BINARY)."""
+"""The farm gives the bits of a serial run, whichever workers die. Needs Dask and the superhelix binary (SUPERHELIX_BINARY)."""
 
 from __future__ import annotations
 

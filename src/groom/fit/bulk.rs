@@ -1,19 +1,20 @@
-//! Many curves at once.
+//! Fits many curves at once.
 
 use super::{Fit, FitCurve, FitOptions, FitScratch, fit_curve};
 use crate::error::Result;
 use crate::workers::{Crew, Workers};
 
-/// Curves that a worker takes at a time, at least and at most: one may be as long as thousands of others.
-const LEAST: usize = 4;
-const MOST: usize = 256;
+/// Smallest and largest number of curves per task: one may be as long as thousands of others.
+const MIN_CURVES_PER_TASK: usize = 4;
+const MAX_CURVES_PER_TASK: usize = 256;
 
-/// Fits a strand to each curve, by several workers; results are in the curves' order and the same for any number of them. A curve that cannot
-/// be fitted (one without length, for example: real grooms have them) has its error, as from [`fit_curve`], and leaves the others alone.
+/// Fits a strand to each curve, with several workers. Results are in the curves' order and do not depend on the number of
+/// workers. A curve that cannot be fitted (real grooms have some without length) gets its error, as from [`fit_curve`], and does
+/// not affect the others.
 ///
 /// # Errors
 /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for options or a number of workers out of range,
-/// [`Error::Unsupported`](crate::error::Error::Unsupported) where threads cannot be started. A pool's threads are there for the call alone.
+/// [`Error::Unsupported`](crate::error::Error::Unsupported) where threads cannot be started. A pool's threads last for the call.
 pub fn fit_curves(curves: &[FitCurve<'_>], options: &FitOptions, workers: &Workers) -> Result<Vec<Result<Fit>>> {
     let mut fits = Vec::with_capacity(curves.len());
     fit_each(
@@ -26,8 +27,8 @@ pub fn fit_curves(curves: &[FitCurve<'_>], options: &FitOptions, workers: &Worke
     Ok(fits)
 }
 
-/// The same for curves that are made one by one: `one` fits the curve of that index, on any worker; `take` gets what came of each, in
-/// order, on the calling thread.
+/// The same for curves built one by one: `one` fits the curve of an index, on any worker; `take` receives the results in order,
+/// on the calling thread.
 ///
 /// # Errors
 /// As [`fit_curves`].
@@ -42,7 +43,7 @@ pub fn fit_each<T: Send>(
     workers.check("workers")?;
     let crew = Crew::<FitScratch>::new(workers)?;
     let mut slots: Vec<(usize, Option<T>)> = (0..count).map(|index| (index, None)).collect();
-    crew.for_each_task(&mut slots, LEAST, MOST, |slots, scratch| {
+    crew.for_each_task(&mut slots, MIN_CURVES_PER_TASK, MAX_CURVES_PER_TASK, |slots, scratch| {
         for (index, slot) in slots {
             *slot = Some(one(*index, scratch));
         }

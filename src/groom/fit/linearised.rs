@@ -1,8 +1,9 @@
-//! The least squares of one strand, linearised: residuals at the samples, and the step of Levenberg and Marquardt's method in linear time.
+//! The linearised least squares of one strand: residuals at the samples, and the Levenberg–Marquardt step in linear time.
 //!
-//! Unknown are, an element, its curvatures and where its right node lies, and the root's tilt. Elements are eliminated from tip to root as in
-//! [`crate::chain::elimination`], whose symbols are used; what is new is the node. Moving the node at b between elements of curvatures κ and
-//! κ′ by δb at fixed arclengths of everything else turns all that lies beyond it by R(b)(κ − κ′)δb about it: a hinge.
+//! The unknowns are the curvatures and the right node of each element, and the root's tilt. Elements are eliminated from tip to
+//! root as in [`crate::chain::elimination`], with its symbols. In addition there are the nodes: moving the node at b between
+//! elements of curvatures κ and κ′ by δb, at fixed arclengths of everything else, turns everything beyond it by R(b)(κ − κ′)δb
+//! about it, like a hinge.
 
 use super::measure::{angle_to, frame_at};
 use super::samples::Sample;
@@ -15,14 +16,14 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, element_state};
 use crate::rod::segment;
 
-/// What is weighed against distance.
+/// Weights against distance.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weights {
     /// ∫ (κ0 L)² ds against the mean squared distance over L².
     pub twist: f64,
     /// Squared angles between n1 and the samples' normals, rad², against the same.
     pub normal: f64,
-    /// (ℓ − L/N)² (N/L)² a node, against the same.
+    /// (ℓ − L/N)² (N/L)² per node, against the same.
     pub spacing: f64,
 }
 
@@ -33,11 +34,11 @@ pub(super) struct Freedom {
     pub root: bool,
     /// The elements' twist.
     pub twist: bool,
-    /// Where elements begin and end.
+    /// The nodes between elements.
     pub nodes: bool,
 }
 
-/// A sample as the strand has it.
+/// A sample and its material point.
 #[derive(Debug, Clone, Copy)]
 struct Placed {
     /// Arclength from the element's left end.
@@ -61,16 +62,16 @@ pub(super) struct State {
     first: Vec<usize>,
     /// Weighted mean of the squared distances.
     pub distance: f64,
-    /// What else is weighed, without its weights.
+    /// The other terms, without their weights.
     twist: f64,
     angles: f64,
     spacing: f64,
-    /// All that is minimised.
+    /// The total cost.
     pub cost: f64,
 }
 
 impl State {
-    /// Places a strand's samples. They ascend in arclength.
+    /// Evaluates the strand at samples, which must ascend in arclength.
     pub fn place(&mut self, shape: &Shape, samples: &[Sample], weights: &Weights) {
         self.elements.clear();
         self.placed.clear();
@@ -119,14 +120,14 @@ impl State {
         self.placed.iter().map(|placed| placed.off.norm_squared())
     }
 
-    /// Takes other weights.
+    /// Changes the weights.
     pub fn weigh(&mut self, weights: &Weights) {
         let others = weights.normal * self.angles + weights.twist * self.twist + weights.spacing * self.spacing;
         self.cost = self.distance + others;
     }
 }
 
-/// What the way from root to tip needs of an element.
+/// What the pass from root to tip needs of an element.
 #[derive(Clone, Copy)]
 struct Eliminated<const D: usize> {
     reduced: Reduced<f64, D>,
@@ -134,24 +135,24 @@ struct Eliminated<const D: usize> {
     jacobian: [Vec3<f64>; D],
 }
 
-/// A step: how the root tilts (rotation vector in its axes), and by how much curvatures and inner nodes change.
+/// A step: the tilt of the root (rotation vector in its axes), and the changes of curvatures and inner nodes.
 #[derive(Debug, Default)]
 pub(super) struct Step {
     pub tilt: Vec3Default,
     pub rows: Vec<[f64; 3]>,
-    /// A node an element: its right one; 0 for the tip.
+    /// One node per element, its right one; 0 for the tip.
     pub nodes: Vec<f64>,
-    /// By how much the quadratic model falls.
+    /// The fall of the quadratic model.
     pub gain: f64,
 }
 
 impl Step {
-    /// Goes a share of the way. The gain is then at least that share.
-    pub fn shorten(&mut self, share: f64) {
-        self.tilt.0 = self.tilt.0.scale(share);
-        self.rows.iter_mut().flatten().for_each(|change| *change *= share);
-        self.nodes.iter_mut().for_each(|change| *change *= share);
-        self.gain *= share;
+    /// Takes a fraction of the step. The gain is then at least that fraction.
+    pub fn shorten(&mut self, fraction: f64) {
+        self.tilt.0 = self.tilt.0.scale(fraction);
+        self.rows.iter_mut().flatten().for_each(|change| *change *= fraction);
+        self.nodes.iter_mut().for_each(|change| *change *= fraction);
+        self.gain *= fraction;
     }
 }
 
@@ -167,13 +168,13 @@ impl Default for Vec3Default {
 
 /// Memory of the elimination.
 #[derive(Default)]
-pub(super) struct Elimination {
+pub(super) struct FitElimination {
     two: Vec<Eliminated<2>>,
     three: Vec<Eliminated<3>>,
     four: Vec<Eliminated<4>>,
 }
 
-/// Springs of the step itself: they hold back what the samples do not see.
+/// Springs on the step itself, for what the samples do not determine.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Damping {
     pub tilt: f64,
@@ -181,7 +182,7 @@ pub(super) struct Damping {
     pub node: f64,
 }
 
-impl Elimination {
+impl FitElimination {
     /// The step from a state. Without free twist there are no free nodes either.
     pub fn solve(
         &mut self,
@@ -201,7 +202,7 @@ impl Elimination {
     }
 }
 
-/// The freedom that is not a curvature.
+/// The freedom beyond the curvatures.
 const NODE: usize = 3;
 
 #[allow(clippy::too_many_arguments)]
@@ -256,7 +257,7 @@ fn solve_for<const D: usize>(
     }
 }
 
-/// Solves (A + k I) ψ = moment for the tilt: not about the tangent, where a turn and one of all curvatures are the same.
+/// Solves (A + k I) ψ = moment for the tilt, except about the tangent, where a turn is equivalent to one of all curvatures.
 fn tilt_of_root(root: &Downstream, stiffness: f64) -> Vec3<f64> {
     let a = &root.a.0;
     let (m11, m12, m22) = (a[1][1] + stiffness, 0.5 * (a[1][2] + a[2][1]), a[2][2] + stiffness);

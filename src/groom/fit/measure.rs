@@ -1,4 +1,4 @@
-//! How far a strand is from its samples.
+//! Distances between a strand and its samples.
 
 use super::samples::Sample;
 use super::shape::Shape;
@@ -6,7 +6,7 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, PointState, element_states};
 use crate::rod::segment;
 
-/// Distances in units of the length.
+/// Distances relative to the length.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Errors {
     /// At equal arclength, over the samples.
@@ -22,7 +22,7 @@ pub(super) struct Errors {
 /// Steps towards the nearest place of the centreline.
 const STEPS: usize = 4;
 
-/// Measures.
+/// Measures all of them.
 pub(super) fn errors(shape: &Shape, samples: &[Sample]) -> Errors {
     let mut elements: Vec<ElementState<f64>> = Vec::with_capacity(shape.rows.len());
     element_states(shape.root.0, (0..shape.rows.len()).map(|index| shape.length(index)), &shape.rows, &mut elements);
@@ -56,13 +56,13 @@ pub(super) fn frame_at(element: &ElementState<f64>, point: &PointState<f64>) -> 
     segment::frame(element.kappa.scale(point.s), element.kappa_squared * point.s * point.s, &point.c)
 }
 
-/// The angle about the tangent from n1 of such a frame to a wanted normal, rad.
+/// The angle about the tangent from n1 of such a frame to a target normal, rad.
 pub(super) fn angle_to(wanted: Vec3<f64>, element: &ElementState<f64>, here: &Mat3<f64>) -> f64 {
     let wanted = element.frame_left.apply_transposed(wanted);
     wanted.dot(here.column(2)).atan2(wanted.dot(here.column(1)))
 }
 
-/// The element that holds an arclength, looked for from element `index`.
+/// The element that holds an arclength, searched from element `index`.
 fn element_at(shape: &Shape, mut index: usize, arclength: f64) -> usize {
     while index + 1 < shape.rows.len() && arclength > shape.nodes[index + 1] {
         index += 1;

@@ -1,8 +1,8 @@
-//! Levenberg and Marquardt's method on one strand: what it minimises, and how it is damped.
+//! The Levenberg–Marquardt search on one strand.
 
 use nalgebra::Vector3;
 
-use super::linearised::{Damping, Elimination, Freedom, State, Step, Weights};
+use super::linearised::{Damping, FitElimination, Freedom, State, Step, Weights};
 use super::samples::Sample;
 use super::shape::{Root, Shape};
 use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
@@ -10,43 +10,43 @@ use crate::math::rotation::from_rotation_vector;
 use crate::math::trigonometry::sine_cosine;
 use crate::math::vector::Mat3;
 
-/// How to search.
+/// Options of a search.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Search {
     pub freedom: Freedom,
     pub weights: Weights,
-    /// Iterations at most.
+    /// Largest number of iterations.
     pub iterations: usize,
-    /// An iteration that gains less of the cost than this is the last.
+    /// The search ends after an iteration that reduces the cost by less than this fraction.
     pub least_gain: f64,
-    /// A mean squared distance below this is as good as none.
+    /// A mean squared distance below this counts as zero.
     pub enough: f64,
-    /// The least length of an element, in those of equal elements.
+    /// The least length of an element, relative to that of equal elements.
     pub least_length: f64,
 }
 
 /// Memory of the search.
 #[derive(Default)]
-pub(super) struct Scratch {
+pub(super) struct SearchScratch {
     state: State,
     trial_state: State,
     trial: Shape,
-    elimination: Elimination,
+    elimination: FitElimination,
     step: Step,
 }
 
-/// Springs that always hold back what the samples do not see, against the mean squared distance.
+/// Weight of permanent springs for what the samples do not determine, against the mean squared distance.
 const RIDGE: f64 = 1e-12;
 /// The first damping.
 const FIRST_DAMPING: f64 = 1e-6;
-/// Below this mean squared distance twist and spacing are charged in proportion to it: noise of that size is what the charge is for.
+/// Below this mean squared distance twist and spacing are charged in proportion to it: the charge is for noise of that size.
 const CHARGED_WHOLE: f64 = 1e-6;
-/// No frame turns about its tangent by more than this in an iteration, rad: beyond it lie other minima, mostly worse ones.
+/// The most that a frame may turn about its tangent in an iteration, rad: beyond lie other, mostly worse minima.
 const TURN_LIMIT: f64 = 0.5;
-/// How often an iteration damps more before it gives up.
+/// How often an iteration increases its damping before it gives up.
 const TRIALS: usize = 8;
 
-impl Scratch {
+impl SearchScratch {
     /// Improves `shape`; returns the cost, and the mean squared distance alone.
     pub fn minimise(&mut self, shape: &mut Shape, samples: &[Sample], search: &Search) -> (f64, f64) {
         let weights = search.weights;
@@ -56,7 +56,7 @@ impl Scratch {
         (self.state.cost, self.state.distance)
     }
 
-    /// The squared distances of the samples where the last search ended.
+    /// The squared distances of the samples at the end of the last search.
     pub fn squared_distances(&self) -> impl Iterator<Item = f64> + '_ {
         self.state.squared_distances()
     }
@@ -66,7 +66,7 @@ impl Scratch {
         self.squared_distances().fold(0.0, f64::max)
     }
 
-    /// `trial` is `shape` after the step, held where an element would become too short.
+    /// `trial` is `shape` after the step, limited where an element would become too short.
     fn advance(&mut self, shape: &Shape, search: &Search) {
         self.trial.copy_from(shape);
         let (mut turn, mut largest) = (0.0_f64, 0.0_f64);
@@ -85,8 +85,8 @@ impl Scratch {
         if search.freedom.nodes {
             keep_apart(&mut self.trial.nodes, search.least_length / shape.rows.len() as f64);
         }
-        // What the step says of the bending is kept in frames without twist: to first order it is the same, but a twist that changes by much
-        // would otherwise turn the bending of all that follows.
+        // The step keeps its changes of bending in twist-free frames: to first order that is the same, but otherwise a large
+        // change of twist would turn the bending of everything after it.
         let (mut before, mut after) = (0.0, 0.0);
         for (index, change) in self.step.rows.iter().enumerate() {
             let row = shape.rows[index];
@@ -103,7 +103,7 @@ impl Scratch {
 
 /// A search on its way.
 struct Descent<'a> {
-    scratch: &'a mut Scratch,
+    scratch: &'a mut SearchScratch,
     shape: &'a mut Shape,
     samples: &'a [Sample],
     search: &'a Search,
@@ -133,7 +133,7 @@ impl DampedLeastSquares for Descent<'_> {
     }
 
     fn trial(&mut self) -> Trial {
-        let Scratch { state, elimination, step, .. } = &mut *self.scratch;
+        let SearchScratch { state, elimination, step, .. } = &mut *self.scratch;
         let count = self.shape.rows.len() as f64;
         let springs = Damping {
             tilt: self.damping + RIDGE,
@@ -142,7 +142,7 @@ impl DampedLeastSquares for Descent<'_> {
         };
         elimination.solve(self.shape, state, &self.weights, self.search.freedom, &springs, step);
         self.scratch.advance(self.shape, self.search);
-        let Scratch { trial, trial_state, step, .. } = &mut *self.scratch;
+        let SearchScratch { trial, trial_state, step, .. } = &mut *self.scratch;
         trial_state.place(trial, self.samples, &self.weights);
         Trial::Placed { cost: trial_state.cost, promised: step.gain }
     }

@@ -1,4 +1,4 @@
-//! The strand that is sought, in units of its length: root at the origin, total length 1.
+//! The strand under search, relative to its length: root at the origin, total length 1.
 
 use crate::math::vector::Mat3;
 
@@ -7,9 +7,9 @@ use crate::math::vector::Mat3;
 pub(super) struct Shape {
     /// Frame at the root, columns n0, n1, n2.
     pub root: Root,
-    /// Curvatures times the length, a row an element.
+    /// Curvatures times the length, one row per element.
     pub rows: Vec<[f64; 3]>,
-    /// Where elements begin and end: 0, …, 1; one more than rows.
+    /// Nodes between elements: 0, …, 1; one more than rows.
     pub nodes: Vec<f64>,
 }
 
@@ -29,7 +29,7 @@ impl Shape {
         self.nodes[element + 1] - self.nodes[element]
     }
 
-    /// Becomes `other`, in the memory that it has.
+    /// Copies `other`, reusing memory.
     pub fn copy_from(&mut self, other: &Self) {
         self.root = other.root;
         self.rows.clone_from(&other.rows);

@@ -1,8 +1,8 @@
-//! Where the search starts: the curvature of the curve in frames without twist, and the helix that it resembles, an element at a time.
+//! Starts of the search: the curve's curvature in twist-free frames, and for each element the helix that it resembles.
 //!
-//! In such frames the curvature is a complex number a place, k(s) = κ1 + iκ2, and that of a helix goes round at the rate of its twist:
-//! k(s) = c exp(iκ0 s). So an element's twist is the rate at which its stretch of curvature goes round, and c what is left of the mean
-//! when that is taken out.
+//! In such frames the curvature at a place is a complex number, k(s) = κ1 + iκ2, and that of a helix rotates at the rate of its
+//! twist: k(s) = c exp(iκ0 s). So an element's twist is the rate at which its stretch of curvature rotates, and c is the mean
+//! with that rotation removed.
 
 use super::search::keep_apart;
 use super::shape::Shape;
@@ -11,72 +11,72 @@ use crate::math::rotation::arc_tangent;
 use crate::math::trigonometry::sine_cosine;
 use crate::math::vector::Vec3;
 
-/// Where elements begin and end.
+/// The nodes between elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Nodes {
-    /// All are equally long.
+    /// All elements are equal.
     Equal,
-    /// Shorter where the curvature varies: the error of a constant over a length ℓ is of the order of its variation times ℓ³, so that the
-    /// cube root of the variation is shared out evenly, half of it; the other half is length.
+    /// Shorter where the curvature varies: the error of a constant over a length ℓ is of the order of its variation times ℓ³. So
+    /// half of the spacing distributes the cube root of the variation evenly; the other half is length.
     Varied,
-    /// Longer and shorter by turns, so often along the strand: for those that find no good end from the others.
+    /// Alternately longer and shorter, this often along the strand: for strands that no other start brings to a good end.
     Waves(u32),
 }
 
 /// A start.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Kind {
+pub(super) struct Start {
     pub nodes: Nodes,
     pub twisted: bool,
 }
 
-/// The starts, in the order in which they are tried (what they leave on real grooms: `docs/notebook/groom_fit.md`).
-pub(super) const KINDS: [Kind; 8] = [
-    Kind { nodes: Nodes::Varied, twisted: false },
-    Kind { nodes: Nodes::Varied, twisted: true },
-    Kind { nodes: Nodes::Waves(1), twisted: false },
-    Kind { nodes: Nodes::Equal, twisted: true },
-    Kind { nodes: Nodes::Equal, twisted: false },
-    Kind { nodes: Nodes::Waves(1), twisted: true },
-    Kind { nodes: Nodes::Waves(2), twisted: false },
-    Kind { nodes: Nodes::Waves(2), twisted: true },
+/// The starts, in the order of trial (`docs/notebook/groom_fit.md` compares them on real grooms).
+pub(super) const STARTS: [Start; 8] = [
+    Start { nodes: Nodes::Varied, twisted: false },
+    Start { nodes: Nodes::Varied, twisted: true },
+    Start { nodes: Nodes::Waves(1), twisted: false },
+    Start { nodes: Nodes::Equal, twisted: true },
+    Start { nodes: Nodes::Equal, twisted: false },
+    Start { nodes: Nodes::Waves(1), twisted: true },
+    Start { nodes: Nodes::Waves(2), twisted: false },
+    Start { nodes: Nodes::Waves(2), twisted: true },
 ];
 
-/// The turning at a corner of the polyline, spread evenly from `from` to `to`, in units of the length.
+/// The turning at a corner of the polyline, spread evenly from `from` to `to`, relative to the length.
 #[derive(Debug, Clone, Copy)]
 struct Turning {
     from: f64,
     to: f64,
-    /// About n1 and n2 of frames carried along without twist, rad.
+    /// About n1 and n2 of twist-free frames, rad.
     turn: [f64; 2],
 }
 
-/// What starts are made of.
+/// What starts are built from.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct StartScratch {
     corners: Vec<(f64, Vec3<f64>)>,
     turnings: Vec<Turning>,
-    /// Stretches and their densities of nodes: up to where, and how dense.
+    /// Stretches and their densities of nodes: the end, and the density.
     densities: Vec<(f64, f64)>,
-    /// The wanted normal's angle about the tangent against the frames without twist at places along the curve.
+    /// The angle about the tangent from the twist-free frames to the target normal, at places along the curve.
     angles: Vec<(f64, f64)>,
-    shares: Vec<Share>,
+    parts: Vec<TurningPart>,
 }
 
-/// A share of a turning.
+/// A part of a turning.
 #[derive(Debug, Clone, Copy)]
-struct Share {
+struct TurningPart {
     middle: f64,
     turn: [f64; 2],
 }
 
-/// How much more coherent the curvature must be about a twisted axis, in squares, for the twist to be believed.
+/// How much more coherent, in squares, the curvature must be about a twisted axis for the twist to be accepted.
 const BELIEVED: f64 = 1.05;
-/// Corners that an element can tell apart: what lies closer together is one.
+/// Corners that an element can resolve: closer ones are merged.
 const CORNERS: f64 = 24.0;
 
-impl Scratch {
-    /// Takes the curve's corners, as that many elements can see them.
+impl StartScratch {
+    /// Reads the curve's corners at the resolution of this many elements.
     pub fn look_at(&mut self, target: &Target, elements: usize) {
         let samples = target.coarse();
         let least = 1.0 / (CORNERS * elements as f64);
@@ -99,7 +99,7 @@ impl Scratch {
         self.find_densities();
     }
 
-    /// Carries a frame along the corners without twist and notes how it turns, and where the wanted normals point in it.
+    /// Transports a frame along the corners without twist and records its turning, and the direction of the target normals in it.
     fn turn_along(&mut self, target: &Target) {
         self.turnings.clear();
         self.angles.clear();
@@ -113,7 +113,7 @@ impl Scratch {
             let size = chord.norm_squared().sqrt();
             if size > 0.0 {
                 let turn = carry(&mut frame, chord.scale(1.0 / size));
-                // The root's own direction, where it is given, has half of the first edge to turn to the curve's.
+                // A given direction of the root has half of the first edge to turn to the curve's.
                 let before = if edge == 0 { 0.0 } else { 0.5 * (self.corners[edge - 1].0 + from) };
                 if turn != [0.0; 2] {
                     self.turnings.push(Turning { from: before, to: 0.5 * (from + to), turn });
@@ -132,7 +132,7 @@ impl Scratch {
         }
     }
 
-    /// How densely nodes should lie.
+    /// Computes the density of nodes.
     fn find_densities(&mut self) {
         let turnings = &self.turnings;
         self.densities.clear();
@@ -163,7 +163,7 @@ impl Scratch {
         }
     }
 
-    /// The nodes of that many elements, none of them shorter than `least` of equal ones.
+    /// The nodes of this many elements, none of them shorter than `least` times the length of equal ones.
     pub fn nodes(&self, kind: Nodes, count: usize, least: f64, nodes: &mut Vec<f64>) {
         let equal = 1.0 / count as f64;
         nodes.clear();
@@ -208,7 +208,8 @@ impl Scratch {
         keep_apart(nodes, least * equal);
     }
 
-    /// Sets the curvatures of a shape whose nodes are given, with or without twist; where the target has normals their twist is taken.
+    /// Sets the curvatures of a shape with given nodes, with or without twist; target normals determine the twist if there are
+    /// any.
     pub fn curvatures(&mut self, shape: &mut Shape, twisted: bool, target: &Target) {
         let count = shape.nodes.len() - 1;
         shape.rows.clear();
@@ -220,23 +221,23 @@ impl Scratch {
             while first < self.turnings.len() && self.turnings[first].to <= left {
                 first += 1;
             }
-            self.shares.clear();
+            self.parts.clear();
             for turning in self.turnings[first..].iter().take_while(|turning| turning.from < right) {
                 let (from, to) = (turning.from.max(left), turning.to.min(right));
                 let part = (to - from) / (turning.to - turning.from);
                 if part > 0.0 {
                     let turn = turning.turn.map(|turn| turn * part);
-                    self.shares.push(Share { middle: 0.5 * (from + to) - left, turn });
+                    self.parts.push(TurningPart { middle: 0.5 * (from + to) - left, turn });
                 }
             }
-            let plain = about(&self.shares, 0.0);
+            let plain = about(&self.parts, 0.0);
             let (mut rate, mut sum) = (0.0, plain);
             if target.has_normals() {
                 rate = (self.angle_at(right) - self.angle_at(left)) / length;
-                sum = about(&self.shares, rate);
+                sum = about(&self.parts, rate);
             } else if twisted {
-                let wanted = going_round(&self.shares);
-                let there = about(&self.shares, wanted);
+                let wanted = going_round(&self.parts);
+                let there = about(&self.parts, wanted);
                 if square(there) > BELIEVED * square(plain) {
                     (rate, sum) = (wanted, there);
                 }
@@ -248,7 +249,7 @@ impl Scratch {
         }
     }
 
-    /// The wanted normal's angle at an arclength.
+    /// The target normal's angle at an arclength.
     fn angle_at(&self, arclength: f64) -> f64 {
         let next = self.angles.partition_point(|(place, _)| *place < arclength).clamp(1, self.angles.len() - 1);
         let ((from, a), (to, b)) = (self.angles[next - 1], self.angles[next]);
@@ -256,7 +257,7 @@ impl Scratch {
     }
 }
 
-/// Turns a frame's first axis into a direction the shortest way; gives the rotation vector along the other two.
+/// Turns a frame's first axis to a direction along the shortest path; returns the rotation vector along the other two.
 fn carry(frame: &mut [Vec3<f64>; 3], direction: Vec3<f64>) -> [f64; 2] {
     let across = frame[0].cross(direction);
     let (sine, cosine) = (across.norm_squared().sqrt(), frame[0].dot(direction));
@@ -266,7 +267,7 @@ fn carry(frame: &mut [Vec3<f64>; 3], direction: Vec3<f64>) -> [f64; 2] {
     } else if cosine > 0.0 {
         [0.0; 2]
     } else {
-        // Back along itself there is no shortest way: any axis across will do.
+        // Straight back there is no shortest path: any transverse axis will do.
         frame[2] = -frame[2];
         [std::f64::consts::PI, 0.0]
     };
@@ -276,14 +277,14 @@ fn carry(frame: &mut [Vec3<f64>; 3], direction: Vec3<f64>) -> [f64; 2] {
         frame[1] = frame[1].scale(cosine) + across.cross(frame[1]) + across.scale(factor);
     }
     frame[0] = direction;
-    // Rounding must not add up along the curve.
+    // Keeps rounding errors from adding up along the curve.
     let n1 = frame[1] - direction.scale(direction.dot(frame[1]));
     frame[1] = n1.scale(1.0 / n1.norm_squared().sqrt());
     frame[2] = direction.cross(frame[1]);
     turn
 }
 
-/// The angle whose sine and cosine are in this proportion, −π to π: the same bits on every machine.
+/// The angle whose sine and cosine have this ratio, −π to π: the same bits on every machine.
 fn angle_of(sine: f64, cosine: f64) -> f64 {
     if sine == 0.0 && cosine == 0.0 {
         return 0.0;
@@ -297,27 +298,27 @@ fn square([re, im]: [f64; 2]) -> f64 {
     re * re + im * im
 }
 
-/// Σ turn exp(−i rate s): the turning about axes that go round at a rate.
-fn about(shares: &[Share], rate: f64) -> [f64; 2] {
+/// Σ turn exp(−i rate s): the turning about axes that rotate at a rate.
+fn about(parts: &[TurningPart], rate: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
-    for share in shares {
-        let (sine, cosine) = if rate == 0.0 { (0.0, 1.0) } else { sine_cosine(rate * share.middle) };
-        sum[0] += share.turn[0] * cosine + share.turn[1] * sine;
-        sum[1] += share.turn[1] * cosine - share.turn[0] * sine;
+    for part in parts {
+        let (sine, cosine) = if rate == 0.0 { (0.0, 1.0) } else { sine_cosine(rate * part.middle) };
+        sum[0] += part.turn[0] * cosine + part.turn[1] * sine;
+        sum[1] += part.turn[1] * cosine - part.turn[0] * sine;
     }
     sum
 }
 
-/// The rate at which the curvature goes round: the mean of its phase's rate from one share to the next, weighted by both.
-fn going_round(shares: &[Share]) -> f64 {
+/// The rate at which the curvature rotates: the mean rate of its phase from one part to the next, weighted by both.
+fn going_round(parts: &[TurningPart]) -> f64 {
     let (mut sum, mut weights) = (0.0, 0.0);
-    for pair in shares.windows(2) {
-        let ([a, b], way) = ([pair[0].turn, pair[1].turn], pair[1].middle - pair[0].middle);
+    for pair in parts.windows(2) {
+        let ([a, b], distance) = ([pair[0].turn, pair[1].turn], pair[1].middle - pair[0].middle);
         let (re, im) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
         let weight = (re * re + im * im).sqrt();
         if weight > 0.0 {
             sum += weight * angle_of(im, re);
-            weights += weight * way;
+            weights += weight * distance;
         }
     }
     if weights > 0.0 { sum / weights } else { 0.0 }

@@ -1,4 +1,4 @@
-//! What a strand is fitted to: the curve's points, checked, in units of its length, and fewer of them where there are very many.
+//! The target of a fit: the curve's points, checked, relative to its length, and thinned out where there are very many.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -9,33 +9,33 @@ use crate::error::{Error, Result, check_finite};
 use crate::groom::polyline::Polyline;
 use crate::math::vector::{Mat3, Vec3};
 
-/// A curve in units of its length, from its first point.
+/// A curve relative to its length, from its first point.
 #[derive(Debug, Default)]
 pub(super) struct Target {
     /// m.
     pub length: f64,
     pub origin: Vector3<f64>,
-    /// Where the search begins, or the root's frame.
+    /// The root's initial frame, or its fixed one.
     pub root: Root,
     pub free_root: bool,
-    /// The points, doubled ones left out.
+    /// The points without repetitions.
     pub samples: Vec<Sample>,
-    /// The means of runs of them; empty where the points are few enough.
+    /// The means of runs of points; empty where the points are few enough.
     means: Vec<Sample>,
     /// m.
     pub radius: Option<f64>,
 }
 
-/// Runs of points that the search looks at, an element.
+/// Runs of points per element that the search uses.
 const RUNS: usize = 12;
 
 impl Target {
-    /// Takes a curve.
+    /// Reads a curve.
     pub fn set(&mut self, curve: &FitCurve<'_>, options: &FitOptions) -> Result<()> {
         let points = curve.points.len();
         let entries = |name: &str, count: Option<usize>| match count {
             Some(count) if count != points => {
-                Err(Error::invalid(name, format!("{count} entries"), format!("{points}, one a point")))
+                Err(Error::invalid(name, format!("{count} entries"), format!("{points}, one per point")))
             }
             _ => Ok(()),
         };
@@ -82,7 +82,7 @@ impl Target {
         Ok(())
     }
 
-    /// Makes ready for the search with that many elements.
+    /// Prepares the search with this many elements.
     pub fn coarsen(&mut self, elements: usize) {
         self.means.clear();
         let runs = RUNS * elements;
@@ -100,14 +100,14 @@ impl Target {
                 arclength += sample.weight * sample.arclength;
                 target += sample.target.scale(sample.weight);
             }
-            // Of a run the middle one's normal will do.
+            // A run's middle normal will do.
             let normal = run[run.len() / 2].normal;
             self.means.push(Sample { arclength: arclength / weight, target: target.scale(1.0 / weight), weight, normal });
         }
         self.means.push(last);
     }
 
-    /// The samples that the search looks at.
+    /// The samples that the search uses.
     pub fn coarse(&self) -> &[Sample] {
         if self.means.is_empty() { &self.samples } else { &self.means }
     }
@@ -118,7 +118,7 @@ impl Target {
     }
 }
 
-/// Where the root's frame begins, or what it is.
+/// The initial rotation of the root's frame, or its fixed one.
 fn root_rotation(polyline: &Polyline, root: &FitRoot, normal: Option<Vector3<f64>>) -> Result<UnitQuaternion<f64>> {
     let along = match root {
         FitRoot::Frame(frame) => {
@@ -132,7 +132,7 @@ fn root_rotation(polyline: &Polyline, root: &FitRoot, normal: Option<Vector3<f64
             for axis in 0..3 {
                 check_finite(|| format!("root.direction[{axis}]"), direction[axis])?;
             }
-            // By its largest number first: squares of the smallest numbers would vanish.
+            // Scaled by its largest number first: squares of tiny numbers would vanish.
             let largest = direction.amax();
             if largest == 0.0 {
                 return Err(Error::invalid("root.direction", format!("{:?}", direction.as_slice()), "a vector with a length"));

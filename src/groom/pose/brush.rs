@@ -1,4 +1,4 @@
-//! A brush that takes along what lies in it.
+//! A brush that carries the strands inside it along.
 
 use nalgebra::Vector3;
 
@@ -12,7 +12,7 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::element_states;
 use crate::step::state::rotation_matrix;
 
-/// A ball that is moved, and with it what lies in it.
+/// A ball that moves and carries the hair inside it along.
 ///
 /// ```
 /// use superhelix::editing::{Brush, PoseOptions};
@@ -33,53 +33,53 @@ use crate::step::state::rotation_matrix;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Brush {
-    /// Where it is before it moves, world, m.
+    /// Its initial centre, world, m.
     pub centre: Vector3<f64>,
     /// m; above zero.
     pub radius: f64,
-    /// How it grows weaker away from its centre: a point at distance d is to follow by the share (1 − d²/radius²)^falloff of the movement.
-    /// Zero or above; 0: all of the ball alike.
+    /// How its effect falls off from its centre: a point at distance d follows the fraction (1 − d²/radius²)^falloff of the
+    /// movement. Zero or above; 0 for a uniform effect.
     pub falloff: f64,
-    /// Where it goes, m.
+    /// Its movement, m.
     pub movement: Vector3<f64>,
 }
 
-/// What came of a brush on one strand.
+/// The result of a brush on one strand.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Brushed {
-    /// Whether it lies in the brush. If not, nothing was changed.
+    /// Whether the strand has points in the brush. If not, nothing changed.
     pub touched: bool,
-    /// Root mean square distance of its points in the brush from where they were to go, m.
+    /// Root mean square distance of its points in the brush from their targets, m.
     pub distance: f64,
-    /// How deep it is still in a body, m.
+    /// Its remaining depth in a body, m.
     pub depth: f64,
     /// Iterations.
     pub iterations: u32,
 }
 
-/// W: what the brush takes along against bending.
+/// W: the weight of the brush's pull against bending.
 const PULL: f64 = 1e4;
 /// When its search ends.
 const END: End = End { most: 12, gain: 1e-2, turn: f64::INFINITY, near: 0.0 };
-/// Points of an element that are looked at: so many a brush's radius, and at least and at most so many.
-const A_RADIUS: f64 = 4.0;
-const LEAST: f64 = 3.0;
-const MOST: f64 = 16.0;
+/// Points per element that are examined: this many per brush radius, with a minimum and a maximum.
+const POINTS_PER_RADIUS: f64 = 4.0;
+const MIN_POINTS: f64 = 3.0;
+const MAX_POINTS: f64 = 16.0;
 
 impl Brush {
-    /// By which share of the movement a point is to follow; nothing outside.
-    fn share(&self, at: Vector3<f64>) -> Option<f64> {
+    /// The fraction of the movement that a point follows; `None` outside.
+    fn fraction(&self, at: Vector3<f64>) -> Option<f64> {
         let rest = 1.0 - (at - self.centre).norm_squared() / (self.radius * self.radius);
         (rest > 0.0).then(|| if self.falloff == 0.0 { 1.0 } else { rest.powf(self.falloff) })
     }
 }
 
 impl StrandShape {
-    /// Moves a brush over the strand, its root held: the points that lie in it follow as far as the strand's lengths and its bending let them,
-    /// by least squares. A strand that has no point in the brush is left alone to the bit.
+    /// Moves a brush over the strand, with its root fixed: the points inside follow as far as the strand's lengths and its
+    /// bending permit, by least squares. A strand without points in the brush stays the same to the bit.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a shape, a brush or options that cannot be used; the shape is as it was then.
+    /// [`Error::InvalidArgument`] for an invalid shape, brush or option; the shape is then unchanged.
     #[doc(hidden)] // `Solver::brush` is the public one: this takes bodies as the solver has them.
     pub fn brush(
         &mut self,
@@ -95,7 +95,7 @@ impl StrandShape {
         Ok(self.brush_checked(brush, options, options.movable.as_deref(), surroundings, scratch))
     }
 
-    /// The same of what has been checked; `movable` is this strand's part of the options'.
+    /// The same for checked arguments; `movable` is this strand's part of the options'.
     pub(crate) fn brush_checked(
         &mut self,
         brush: &Brush,
@@ -121,7 +121,7 @@ impl StrandShape {
         Brushed { touched: true, distance, depth: search.state.depth, iterations: search.iterations }
     }
 
-    /// The pulls on the points that lie in the brush; whether there are any.
+    /// Creates the pulls on the points in the brush; returns whether there are any.
     fn follow(&self, brush: &Brush, length: f64, scratch: &mut PoseScratch) -> bool {
         let PoseScratch { pulls, elements, .. } = scratch;
         element_states(rotation_matrix(&self.root), self.element_lengths.iter().copied(), &self.curvatures, elements);
@@ -131,17 +131,17 @@ impl StrandShape {
             if (middle - brush.centre).norm() > 0.5 * element.length + brush.radius {
                 continue;
             }
-            let count = (A_RADIUS * element.length / brush.radius).ceil().clamp(LEAST, MOST);
+            let count = (POINTS_PER_RADIUS * element.length / brush.radius).ceil().clamp(MIN_POINTS, MAX_POINTS);
             for k in 0..count as usize {
                 let s = (k as f64 + 0.5) / count * element.length;
                 let at = element.point(s).position;
-                if let Some(share) = brush.share(self.root.origin + Vector3::from(at)) {
-                    let target = at + Vec3::from(brush.movement).scale(share);
-                    pulls.push(Pull { element: index, s, target, weight: share * element.length / (count * length) });
+                if let Some(fraction) = brush.fraction(self.root.origin + Vector3::from(at)) {
+                    let target = at + Vec3::from(brush.movement).scale(fraction);
+                    pulls.push(Pull { element: index, s, target, weight: fraction * element.length / (count * length) });
                 }
             }
         }
-        // A share that rounds to nothing pulls at nothing.
+        // A fraction that rounds to zero pulls at nothing.
         pulls.retain(|pull| pull.weight > 0.0);
         !pulls.is_empty()
     }

@@ -1,4 +1,4 @@
-//! One strand dragged by a point: document 004, section 4.3, with the linear-time Jacobian.
+//! Drags one strand by a point: Bergbom 2007, section 4.3, with a linear-time Jacobian.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::ElementState;
 use crate::step::state::rotation_matrix;
 
-/// Which point goes where.
+/// A point and its target.
 ///
 /// ```
 /// use superhelix::editing::{DragTarget, PoseOptions};
@@ -27,22 +27,22 @@ use crate::step::state::rotation_matrix;
 pub struct DragTarget {
     /// Arclength of the point from the root, m; above 0, at most the strand's length.
     pub arclength: f64,
-    /// Where it is to be, world, m.
+    /// Its target position, world, m.
     pub position: Vector3<f64>,
 }
 
-/// What came of a drag.
+/// The result of a drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dragged {
-    /// How far the point is from its target now, m. A target that lies within a body counts as the place of its surface nearest to it.
+    /// The point's remaining distance from its target, m. A target inside a body is replaced by the nearest place on its surface.
     pub distance: f64,
-    /// How deep the strand is still in a body, m: 0 but where what may change does not suffice.
+    /// The strand's remaining depth in a body, m: above 0 only where the movable elements are not enough.
     pub depth: f64,
     /// Iterations.
     pub iterations: u32,
 }
 
-/// Memory that is used again from strand to strand.
+/// Memory that is reused from strand to strand.
 #[derive(Default)]
 pub struct PoseScratch {
     pub(super) search: Search,
@@ -59,29 +59,29 @@ impl std::fmt::Debug for PoseScratch {
     }
 }
 
-/// H: a body or a direction gives way by less than 10⁻⁸ of the length to what bends a strand by some turns.
+/// H: a body or a direction yields by less than 10⁻⁸ of the length to the bending of a strand by several turns.
 pub(super) const HARD: f64 = 1e9;
-/// W, from a shape near the one to stay near to one that is where it should be.
+/// W, from a shape near the preferred one to one that meets its target.
 const FIRST: [f64; 2] = [1e3, 1e5];
 const LAST: f64 = 1e9;
-/// When a search with one of the first ends; the length is multiplied by `near`.
+/// When a search with one of the first weights ends; `near` is relative to the length.
 const ROUGH: End = End { most: 20, gain: 3e-2, turn: f64::INFINITY, near: 0.0 };
-/// When one with the last ends.
+/// When a search with the last weight ends.
 const FINE: End = End { most: 100, gain: 1e-4, turn: 1e-7, near: 1e-7 };
-/// A target is reached that is nearer than this share of the length.
+/// A target is reached within this fraction of the length.
 const REACHED: f64 = 1e-6;
-/// A body is left that is no deeper than this share of the length.
+/// A body is cleared at a depth of at most this fraction of the length.
 const LEFT: f64 = 1e-8;
 /// When a search out of bodies ends.
 const LEAVING: End = End { most: 40, gain: 1e-6, turn: 1e-7, near: 0.0 };
 
 impl StrandShape {
-    /// Drags a point of the strand to a target, its root held: of the shapes that bring it there, one near the one to stay near
-    /// ([`PoseOptions::natural_pull`]), by Levenberg and Marquardt's method on the curvatures. Lengths do not change. A target out of reach is
-    /// approached as far as what may change allows.
+    /// Drags a point of the strand to a target, with its root fixed: of the shapes that reach it, finds one near the preferred
+    /// shape ([`PoseOptions::natural_pull`]) by the Levenberg–Marquardt method on the curvatures. Lengths do not change. A target
+    /// out of reach is approached as far as the movable elements permit.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a shape, a target or options that cannot be used; the shape is as it was then.
+    /// [`Error::InvalidArgument`] for an invalid shape, target or option; the shape is then unchanged.
     #[doc(hidden)] // `Solver::drag` is the public one: this takes bodies as the solver has them.
     pub fn drag(
         &mut self,
@@ -97,7 +97,7 @@ impl StrandShape {
         Ok(self.drag_checked(target, options, options.movable.as_deref(), surroundings, scratch))
     }
 
-    /// The same of what has been checked; `movable` is this strand's part of the options'.
+    /// The same for checked arguments; `movable` is this strand's part of the options'.
     pub(crate) fn drag_checked(
         &mut self,
         target: &DragTarget,
@@ -131,7 +131,7 @@ impl StrandShape {
         Dragged { distance, depth: search.state.depth, iterations: search.iterations }
     }
 
-    /// What is searched for from this shape, with what [`prepare`] found and some pulls.
+    /// The search task for this shape, from the results of [`prepare`] and some pulls.
     pub(super) fn task<'a>(
         &'a self,
         options: &PoseOptions,
@@ -155,10 +155,10 @@ impl StrandShape {
     }
 }
 
-/// The curvatures that may change, and the shape to stay near.
+/// The curvatures that may change, and the preferred shape.
 pub(super) fn prepare(
     shape: &StrandShape,
-    share: f64,
+    fraction: f64,
     movable: Option<&[bool]>,
     surroundings: &Surroundings,
     scratch: &mut PoseScratch,
@@ -170,11 +170,11 @@ pub(super) fn prepare(
         let may = movable.is_none_or(|movable| movable[element]);
         free.push(std::array::from_fn(|axis| may && surroundings.freedoms.contains(axis)));
         let natural = surroundings.natural.map_or(row, |natural| &natural[element]);
-        anchor.push(std::array::from_fn(|axis| row[axis] + share * (natural[axis] - row[axis])));
+        anchor.push(std::array::from_fn(|axis| row[axis] + fraction * (natural[axis] - row[axis])));
     }
 }
 
-/// Takes what is still within a body out of it, at the cost of all else.
+/// Brings what is still inside a body out of it, at the cost of everything else.
 pub(super) fn leave_bodies(task: &mut Task, search: &mut Search, rows: &mut Vec<[f64; 3]>) {
     if task.obstacles.is_none() || search.state.depth <= LEFT * task.length {
         return;
@@ -186,7 +186,7 @@ pub(super) fn leave_bodies(task: &mut Task, search: &mut Search, rows: &mut Vec<
 }
 
 impl Task<'_> {
-    /// A strand that is pulled or pushed along itself where it is straight does not know to which side to bend: it is bent a little, and
+    /// A straight strand that is pulled or pushed along itself has no preferred side to bend to: this bends it a little and
     /// searches again.
     fn unlock(&self, search: &mut Search, rows: &mut Vec<[f64; 3]>, weights: Weights, end: &End) {
         let Some(pull) = self.pulls.first() else { return };
@@ -196,13 +196,13 @@ impl Task<'_> {
         let (from, at) = (elements[first].origin_left, elements[pull.element].point(pull.s).position);
         let along: f64 = self.lengths[first..pull.element].iter().sum::<f64>() + pull.s;
         let (now, wanted) = ((at - from).norm_squared().sqrt(), (pull.target - from).norm_squared().sqrt());
-        // Only where the arc is nearly its chord, and the chord has to become shorter.
+        // Only if the arc is nearly its chord, and the chord must become shorter.
         if now < along * (1.0 - 1e-4) || wanted > now * (1.0 - 1e-6) {
             return;
         }
         let stiffer = self.charge[1] > self.charge[2];
-        let share = (1.0 - wanted / along).clamp(0.0, 0.5);
-        let bend = (24.0 * share).sqrt() / along;
+        let fraction = (1.0 - wanted / along).clamp(0.0, 0.5);
+        let bend = (24.0 * fraction).sqrt() / along;
         let before = (search.state.cost, rows.clone());
         for (row, free) in rows[first..=pull.element].iter_mut().zip(&self.free[first..=pull.element]) {
             let axis = match (free[1], free[2]) {
@@ -221,12 +221,12 @@ impl Task<'_> {
     }
 }
 
-/// A target as far out of the bodies as the strand is to stay.
+/// A target moved out of the bodies by the strand's clearance.
 fn outside(mut target: Vector3<f64>, arclength: f64, obstacles: &Obstacles) -> Vector3<f64> {
     if arclength <= obstacles.span.exempt {
         return target;
     }
-    // Out of one, into another: some rounds.
+    // Out of one body and into another: a few rounds.
     for _ in 0..4 {
         let mut moved = false;
         for body in obstacles.bodies {
@@ -243,7 +243,7 @@ fn outside(mut target: Vector3<f64>, arclength: f64, obstacles: &Obstacles) -> V
     target
 }
 
-/// Checks a target on a strand of that length.
+/// Checks a target on a strand of this length.
 pub(crate) fn check_target(argument: &str, target: &DragTarget, length: f64) -> Result<()> {
     let DragTarget { arclength, position } = target;
     if !(*arclength > 0.0 && *arclength <= length * (1.0 + 1e-9)) {

@@ -1,9 +1,9 @@
-//! One element bent, twisted, lengthened.
+//! Bends, twists and lengthens one element.
 
 use super::StrandShape;
 use crate::error::{Error, Result, check_finite, check_positive};
 
-/// A change of one element. What lies beyond it goes along as it is.
+/// A change of one element. Everything beyond it moves along rigidly.
 ///
 /// ```
 /// use superhelix::editing::ElementChange;
@@ -18,14 +18,14 @@ use crate::error::{Error, Result, check_finite, check_positive};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElementChange {
-    /// By how much more the element's end is twisted about the strand, rad.
+    /// Additional twist of the element's end about the strand, rad.
     pub twist: f64,
-    /// By how much more the element turns about n1 and n2, rad.
+    /// Additional turn of the element about n1 and n2, rad.
     pub bend: [f64; 2],
     /// Factor on its length; above zero.
     pub stretch: f64,
-    /// Whether a longer element keeps its curvatures, so that the helix goes on; otherwise it keeps the angles that it turns by. What it is
-    /// twisted and bent by comes on top, on its new length.
+    /// Whether a longer element keeps its curvatures, so that the helix continues; otherwise it keeps its angles. Additional
+    /// twist and bend apply on top, to its new length.
     pub keep_curvature: bool,
 }
 
@@ -36,7 +36,7 @@ impl Default for ElementChange {
 }
 
 impl ElementChange {
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -47,7 +47,7 @@ impl ElementChange {
         check_positive(|| format!("{argument}.stretch"), self.stretch)
     }
 
-    /// The element's length and curvatures after it, from those before.
+    /// The element's new length and curvatures.
     pub(crate) fn applied(&self, length: f64, row: [f64; 3]) -> (f64, [f64; 3]) {
         let new = if self.stretch == 1.0 { length } else { length * self.stretch };
         let keep = if self.keep_curvature || self.stretch == 1.0 { 1.0 } else { 1.0 / self.stretch };
@@ -60,7 +60,7 @@ impl StrandShape {
     /// Bends, twists and lengthens one element; the others keep lengths and curvatures.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for an element that there is not, or values out of range or too large together.
+    /// [`Error::InvalidArgument`] for a nonexistent element, or values out of range or too large together.
     pub fn change_element(&mut self, element: usize, change: &ElementChange) -> Result<()> {
         self.check("shape")?;
         change.check("change")?;
@@ -74,7 +74,7 @@ impl StrandShape {
     }
 }
 
-/// Checks what came out of a change.
+/// Checks the result of a change.
 pub(crate) fn check_applied(argument: &str, length: f64, row: &[f64; 3]) -> Result<()> {
     if !(length.is_normal() && row.iter().all(|value| value.is_finite())) {
         let came = format!("a change to the length {length} m and the curvatures {row:?}");

@@ -1,8 +1,8 @@
-//! A step of Levenberg and Marquardt's method on one strand's curvatures, in linear time.
+//! The Levenberg–Marquardt step on one strand's curvatures, in linear time.
 //!
-//! Elements are eliminated from tip to root as in [`crate::chain::elimination`], whose symbols are used. Springs sit at any arclength, are as
-//! stiff along one direction as wanted (a body pushes along its normal alone), and may hold a direction; curvatures that may not change
-//! take no part, to the bit.
+//! Elements are eliminated from tip to root as in [`crate::chain::elimination`], with its symbols. Springs may sit at any
+//! arclength, act along one direction only (a body pushes along its normal), and hold a direction. Frozen curvatures keep their
+//! values to the bit.
 
 use crate::chain::downstream::Downstream;
 use crate::chain::pivot::factorise;
@@ -13,7 +13,7 @@ use crate::rod::segment::{self, CurvatureForm};
 
 use super::springs::Spring;
 
-/// What pulls at a strand: all that is minimised, to second order.
+/// The quadratic model of everything that is minimised.
 pub(super) struct Model<'a> {
     pub elements: &'a [ElementState<f64>],
     /// By element.
@@ -24,11 +24,11 @@ pub(super) struct Model<'a> {
     pub force: &'a [[f64; 3]],
     /// Curvatures that may change.
     pub free: &'a [[bool; 3]],
-    /// Whether the springs' tension counts: Newton's method in place of Gauss and Newton's.
+    /// Whether the springs' tension counts: Newton's method instead of Gauss–Newton.
     pub exact: bool,
 }
 
-/// What lies downstream of a node, and the force and moment there that the tension is of.
+/// What lies downstream of a node, and the force and moment there that make the tension.
 #[derive(Clone, Copy)]
 struct Tensed {
     down: Downstream,
@@ -36,7 +36,7 @@ struct Tensed {
     force: Vec3<f64>,
 }
 
-/// What the way from root to tip needs of an element.
+/// What the pass from root to tip needs of an element.
 #[derive(Clone, Copy)]
 struct Eliminated {
     reduced: Reduced<f64, 3>,
@@ -44,12 +44,13 @@ struct Eliminated {
     jacobian: Mat3<f64>,
 }
 
-/// A step: the changes of the curvatures, and how each element's left end is turned and moved by them, in its own axes.
+/// A step: the changes of the curvatures, and the resulting rotation and displacement of each element's left end, in its own
+/// axes.
 #[derive(Debug, Default)]
 pub(super) struct Step {
     pub rows: Vec<[f64; 3]>,
     pub left: Vec<(Vec3<f64>, Vec3<f64>)>,
-    /// By how much the quadratic model falls.
+    /// The fall of the quadratic model.
     pub gain: f64,
     /// The largest rotation of an element's end, rad.
     pub turn: f64,
@@ -57,11 +58,11 @@ pub(super) struct Step {
 
 /// Memory of the elimination.
 #[derive(Default)]
-pub(super) struct Elimination {
+pub(super) struct PoseElimination {
     done: Vec<Eliminated>,
 }
 
-impl Elimination {
+impl PoseElimination {
     /// The step from a state.
     pub fn solve(&mut self, model: &Model, step: &mut Step) {
         let mut down = Tensed { down: Downstream::nothing(), moment: Vec3::zero(), force: Vec3::zero() };
@@ -102,12 +103,12 @@ impl Elimination {
 }
 
 impl Tensed {
-    /// In the axes of the frame that `turn` starts from.
+    /// The same in other axes: those from which `turn` starts.
     fn turned(&self, turn: &Mat3<f64>) -> Self {
         Self { down: self.down.turned(turn), moment: turn.apply(self.moment), force: turn.apply(self.force) }
     }
 
-    /// The same, acting at a point that lies at −x from here.
+    /// The same as seen from a point at −x.
     fn moved(&self, x: Vec3<f64>) -> Self {
         let Downstream { a, b, c, moment, force } = &self.down;
         let sc = c.crossed_from_left(x);
@@ -126,7 +127,7 @@ impl Tensed {
         }
     }
 
-    /// Adds −sym(f xᵀ) + (f·x) I to A: the tension of force f at place x.
+    /// Adds −sym(f xᵀ) + (f·x) I to A: the tension of force f at position x.
     fn add_tension(&mut self, f: Vec3<f64>, x: Vec3<f64>) {
         let along = f.dot(x);
         for i in 0..3 {
@@ -146,7 +147,7 @@ fn eliminate(right: &Tensed, model: &Model, springs: &[Spring], index: usize) ->
     let psi = segment::mean_frame(theta, z, &element.c).scale(length);
     let jacobian = segment::chord_gradient(theta, z, &element.c).scale(length * length);
 
-    // What is downstream, through δκ.
+    // Everything downstream, through δκ.
     let y_psi = right.down.a.mul(&psi).add(&right.down.b.mul(&jacobian));
     let y_rho = right.down.b.transposed_mul(&psi).add(&right.down.c.mul(&jacobian));
     let mut kk = psi.transposed_mul(&y_psi).add(&jacobian.transposed_mul(&y_rho));

@@ -1,7 +1,7 @@
-//! Strands mirrored across a plane.
+//! Mirrors strands across a plane.
 //!
-//! With the reflection M and S = diag(1, 1, −1) the frame R becomes M R S: proper, with n0 and n1 as the mirror has them and n2 opposite. From
-//! R′ = R [κ]× follow the curvatures −Sκ = (−κ0, −κ1, κ2): a curl winds the other way.
+//! With the reflection M and S = diag(1, 1, −1) the frame R becomes M R S, which is proper: n0 and n1 are mirrored, and n2 is
+//! reversed. R′ = R [κ]× then gives the curvatures −Sκ = (−κ0, −κ1, κ2): a curl winds the other way.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -30,7 +30,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane through a point (m) across a direction of any length above zero.
+    /// The plane through a point (m) with a normal of any length above zero.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a number that is not finite or a normal without direction.
@@ -39,7 +39,7 @@ impl Plane {
             check_finite(|| format!("point[{axis}]"), point[axis])?;
             check_finite(|| format!("normal[{axis}]"), normal[axis])?;
         }
-        // By the largest number first: squares of tiny or huge numbers are lost.
+        // Scaled by its largest number first: squares of tiny or huge numbers are lost.
         let largest = normal.amax();
         if largest == 0.0 {
             return Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector with a direction"));
@@ -57,12 +57,12 @@ impl Plane {
         position - self.normal * (2.0 * self.normal.dot(&(position - self.point)))
     }
 
-    /// The image of an angular velocity: it turns the other way about the image of its axis.
+    /// The image of an angular velocity: it turns in the opposite sense about the image of its axis.
     pub fn spin(&self, spin: Vector3<f64>) -> Vector3<f64> {
         -self.direction(spin)
     }
 
-    /// The image of a frame, n2 turned round so that it is proper.
+    /// The image of a frame, with n2 reversed so that it is proper.
     pub fn frame(&self, frame: &Frame) -> Frame {
         // −M is half a turn about the normal, −S half a turn about the third axis.
         let half_turn = |axis: Vector3<f64>| Quaternion::from_parts(0.0, axis);
@@ -93,7 +93,7 @@ impl StrandShape {
 }
 
 impl StrandDef {
-    /// What the strand's image in a mirror is made from: natural and initial shape, rates and velocities are mirrored as well.
+    /// The mirrored definition of a strand: natural and initial shape, rates and velocities are mirrored as well.
     #[must_use]
     pub fn mirrored(&self, plane: &Plane) -> Self {
         let rows = |rows: &[[f64; 3]]| rows.iter().copied().map(mirrored).collect::<Vec<_>>();

@@ -1,17 +1,17 @@
-//! Levenberg and Marquardt's method on a strand's curvatures.
+//! The Levenberg–Marquardt search on a strand's curvatures.
 //!
-//! Minimised is, in units of length squared,
+//! It minimises, in units of length squared,
 //!
 //! ```text
 //! ½ L³ Σ ℓ cᵢ (κᵢ − κᵢ*)² + ½ W Σ w |r − t|² + ½ H L² φ² + ½ H Σ min(gap, 0)²,
 //! ```
 //!
-//! κ* the shape to stay near, c the strand's relative stiffness, t targets of material points, φ the tip's angle to its wanted direction,
-//! gap the distance to a body. W grows until what can be reached is reached.
+//! where κ* is the preferred shape, c the strand's relative stiffness, t targets of material points, φ the tip's angle to its
+//! target direction and gap the distance to a body. W grows until everything in reach is reached.
 
 use nalgebra::Vector3;
 
-use super::elimination::{Elimination, Model, Step};
+use super::elimination::{Model, PoseElimination, Step};
 use super::springs::Spring;
 use crate::contact::body::BodyAt;
 use crate::contact::strand_body::{self, PathBounds, Span};
@@ -20,7 +20,7 @@ use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, element_states};
 
-/// A material point and where it is to go.
+/// A material point and its target.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pull {
     pub element: usize,
@@ -31,17 +31,17 @@ pub(super) struct Pull {
     pub weight: f64,
 }
 
-/// Bodies that a strand is kept out of.
+/// Bodies that a strand stays out of.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Obstacles<'a> {
     pub bodies: &'a [BodyAt<'a>],
-    /// The first metres that are left out.
+    /// The first metres, which are exempt.
     pub span: Span,
-    /// How far the centreline stays from the bodies' surfaces.
+    /// The centreline's distance from the bodies' surfaces.
     pub distance: f64,
 }
 
-/// What is asked of one strand.
+/// The task for one strand.
 #[derive(Debug)]
 pub(super) struct Task<'a> {
     pub root: Mat3<f64>,
@@ -72,13 +72,13 @@ pub(super) struct Weights {
 /// When a search ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct End {
-    /// Iterations at most.
+    /// Largest number of iterations.
     pub most: u32,
-    /// An iteration that gains less of the cost than this is the last,
+    /// The search ends after an iteration that reduces the cost by less than this fraction
     pub gain: f64,
-    /// if it also turns no frame by more than this, rad;
+    /// and turns no frame by more than this, rad;
     pub turn: f64,
-    /// and one after which all is nearer to where it should be than this, m.
+    /// or when everything is within this distance of its target, m.
     pub near: f64,
 }
 
@@ -87,36 +87,36 @@ pub(super) struct End {
 pub(super) struct State {
     pub elements: Vec<ElementState<f64>>,
     pub touches: Vec<Touch>,
-    /// All that is minimised.
+    /// The total cost.
     pub cost: f64,
     /// Σ w |r − t|².
     pub distance: f64,
-    /// What is neither bending nor pulls, m².
+    /// The cost other than bending and pulls, m².
     pub hard: f64,
-    /// The deepest place in a body, m.
+    /// The largest depth in a body, m.
     pub depth: f64,
 }
 
-/// No frame turns by more than this in an iteration, rad.
+/// The most that a frame may turn in an iteration, rad.
 const TURN_LIMIT: f64 = 0.6;
-/// How often an iteration damps more before it gives up.
+/// How often an iteration increases its damping before it gives up.
 const TRIALS: usize = 12;
-/// By how much damping grows where a step fails, and falls where one does well.
+/// How much damping grows after a failed step, and shrinks after a good one.
 const MORE: f64 = 10.0;
 const LESS: f64 = 0.2;
-/// A gain of less than this share is none.
+/// A smaller relative gain counts as none.
 const ROUNDING: f64 = 1e-14;
 /// The first damping.
 const LEAST_DAMPING: f64 = 1e-2;
 /// The same in units of the pulling force times the length.
 const PULLED: f64 = 1e-3;
-/// A step so many times too long is held back by damping, not shortened: its direction says nothing.
+/// A step this many times too long is damped, not shortened: its direction means nothing.
 const FAR: f64 = 2.0;
-/// Touches that are nearer than this share of the strand's length may be met by a step.
+/// Contacts closer than this fraction of the strand's length may be hit by a step.
 const NEAR: f64 = 0.05;
-/// Rounds in which touches that a step would go through are put in its way.
+/// Rounds in which contacts that a step would pass through are added as obstacles.
 const ROUNDS: usize = 4;
-/// Gauss and Newton's method gives way to Newton's where an iteration gains less than this share.
+/// Newton's method replaces Gauss–Newton where an iteration gains less than this fraction.
 const SLOW: f64 = 0.3;
 
 /// Memory of searches.
@@ -132,7 +132,7 @@ pub(super) struct Search {
     in_the_way: Vec<bool>,
     bounds: PathBounds,
     touching: strand_body::Scratch,
-    elimination: Elimination,
+    elimination: PoseElimination,
     step: Step,
     /// Iterations since [`Search::begin`].
     pub iterations: u32,
@@ -140,13 +140,13 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// Begins with a strand in its present shape: bodies are met on the way from there.
+    /// Starts with a strand in its current shape: bodies are detected along the motion from there.
     pub fn begin(&mut self, task: &Task, rows: &[[f64; 3]]) {
         element_states(task.root, task.lengths.iter().copied(), rows, &mut self.start);
         self.iterations = 0;
     }
 
-    /// Brings `state` to a shape.
+    /// Evaluates `state` at a shape.
     fn place(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights) {
         let state = &mut self.trial;
         element_states(task.root, task.lengths.iter().copied(), rows, &mut state.elements);
@@ -190,7 +190,7 @@ impl Search {
         state.cost = 0.5 * (task.length.powi(3) * bent + weights.pull * state.distance + weights.hard * hard);
     }
 
-    /// Goes downhill from `rows`, which is left at the best shape found.
+    /// Descends from `rows`, which ends as the best shape found.
     pub fn descend(&mut self, task: &Task, rows: &mut Vec<[f64; 3]>, weights: Weights, end: &End) {
         self.place(task, rows, weights);
         std::mem::swap(&mut self.state, &mut self.trial);
@@ -199,7 +199,7 @@ impl Search {
         levenberg_marquardt::minimise(&mut descent, end.most as usize, TRIALS);
     }
 
-    /// The step from the present state. Touches that it would go through are put in its way.
+    /// The step from the current state. Contacts that it would pass through are added as obstacles.
     fn direction(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights, exact: bool) {
         self.in_the_way.clear();
         self.in_the_way.extend(self.state.touches.iter().map(|touch| touch.gap < 0.0));
@@ -228,7 +228,7 @@ impl Search {
         }
     }
 
-    /// Springs of the curvatures themselves.
+    /// Springs on the curvatures themselves.
     fn model(&mut self, task: &Task, rows: &[[f64; 3]]) {
         self.stiffness.clear();
         self.force.clear();
@@ -240,13 +240,13 @@ impl Search {
         }
     }
 
-    /// `self.rows` is `rows` after a share of the step.
-    fn advance(&mut self, task: &Task, rows: &[[f64; 3]], share: f64) {
+    /// `self.rows` is `rows` after a fraction of the step.
+    fn advance(&mut self, task: &Task, rows: &[[f64; 3]], fraction: f64) {
         self.rows.clear();
         for (element, row) in rows.iter().enumerate() {
             let change = &self.step.rows[element];
             let free = &task.free[element];
-            self.rows.push(std::array::from_fn(|axis| if free[axis] { row[axis] + share * change[axis] } else { row[axis] }));
+            self.rows.push(std::array::from_fn(|axis| if free[axis] { row[axis] + fraction * change[axis] } else { row[axis] }));
         }
     }
 }
@@ -326,8 +326,8 @@ fn moved(state: &State, step: &Step, touch: &Touch) -> f64 {
     let element = &state.elements[index];
     let place = Spring::at(element, index, touch.place.s);
     let (psi, rho) = step.left[index];
-    let way = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
-    element.frame_left.apply(way).dot(touch.normal.into())
+    let displacement = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
+    element.frame_left.apply(displacement).dot(touch.normal.into())
 }
 
 /// The springs of a state, by element.
@@ -359,8 +359,8 @@ mod tests {
     use crate::contact::shape::Shape;
     use crate::math::frame::Frame;
 
-    /// What pulls at the curvatures, and how stiff they are, against differences of all that is minimised: two points, a direction, a body that
-    /// the strand is in, and springs to another shape at once.
+    /// Forces and stiffnesses of the curvatures against differences of the total cost: two points, a direction, a body that the
+    /// strand penetrates, and springs to another shape, all at once.
     #[test]
     fn forces_and_stiffness_are_the_derivatives_of_the_cost() {
         let lengths = [0.05, 0.03, 0.06, 0.04];
@@ -394,7 +394,7 @@ mod tests {
         std::mem::swap(&mut search.state, &mut search.trial);
         assert!(search.state.depth > 1e-3, "the strand is in the sphere: {}", search.state.depth);
         search.direction(&task, &rows, weights, true);
-        // With all damping the step is the force over the damping.
+        // With strong damping the step is the force over the damping.
         let mut force = [[0.0; 3]; 4];
         search.damping = 1e9;
         search.direction(&task, &rows, weights, true);

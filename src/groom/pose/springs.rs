@@ -1,4 +1,4 @@
-//! What pulls at places of a strand while it is posed.
+//! Springs on places of a strand during posing.
 
 use crate::math::entire::Stumpff;
 use crate::math::vector::{Mat3, Vec3};
@@ -32,7 +32,7 @@ pub(super) struct Turning {
 }
 
 impl Spring {
-    /// A place that nothing pulls at yet.
+    /// A place without a spring.
     pub fn at(element: &ElementState<f64>, index: usize, s: f64) -> Self {
         let point = element.point(s);
         let (theta, z) = (element.kappa.scale(s), element.kappa_squared * (s * s));
@@ -48,14 +48,14 @@ impl Spring {
         }
     }
 
-    /// Pulled by `off` (world axes) with a stiffness.
+    /// With a pull by `off` (world axes) of a stiffness.
     pub fn pulled(mut self, element: &ElementState<f64>, off: Vec3<f64>, stiffness: f64) -> Self {
         self.stiffness = Mat3::identity().scale(stiffness);
         self.force = element.frame_left.apply_transposed(off).scale(stiffness);
         self
     }
 
-    /// Pushed along a unit normal (world axes) by `depth` with a stiffness.
+    /// With a push along a unit normal (world axes) by `depth`, of a stiffness.
     pub fn pushed(mut self, element: &ElementState<f64>, normal: Vec3<f64>, depth: f64, stiffness: f64) -> Self {
         let n = element.frame_left.apply_transposed(normal);
         for i in 0..3 {
@@ -67,7 +67,7 @@ impl Spring {
         self
     }
 
-    /// Turned towards a direction (a unit vector, world axes); the angle to it comes second.
+    /// With a turn towards a direction (a unit vector, world axes); returns the angle to it as well.
     pub fn turned(mut self, element: &ElementState<f64>, direction: Vec3<f64>, stiffness: f64) -> (Self, f64) {
         let (theta, z) = (element.kappa.scale(self.s), element.kappa_squared * (self.s * self.s));
         let tangent = segment::frame(theta, z, &self.c).column(0);
@@ -75,7 +75,7 @@ impl Spring {
         let axis = tangent.cross(wanted);
         let (sine, cosine) = (axis.norm_squared().sqrt(), tangent.dot(wanted));
         let angle = sine.atan2(cosine);
-        // Opposite to what is wanted any axis across is as good: n1.
+        // Opposite to the target any transverse axis is as good: n1.
         let axis = if sine > 1e-9 {
             axis.scale(angle / sine)
         } else if cosine < 0.0 {

@@ -1,4 +1,4 @@
-//! Strands cut and grown.
+//! Cuts strands and lets them grow.
 
 use super::StrandShape;
 use crate::error::{Error, Result, check_finite, check_positive};
@@ -20,14 +20,15 @@ use crate::rod::definition::MAX_ELEMENTS;
 pub struct Growth {
     /// By how much, m; above zero.
     pub length: f64,
-    /// How many elements are added, all equally long. 0: the last one becomes longer.
+    /// How many elements to add, all equal. 0 lengthens the last one.
     pub elements: usize,
-    /// Curvatures of the added elements, rad/m; `None`: those of the last one, so that the helix goes on. Not for 0 elements.
+    /// Curvatures of the added elements, rad/m; `None` for those of the last one, so that the helix continues. Not for 0
+    /// elements.
     pub curvatures: Option<[f64; 3]>,
 }
 
 impl Growth {
-    /// Checks every value for a strand of `count` elements; `argument` is the name put before the field in the message.
+    /// Checks every value for a strand of `count` elements; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -39,7 +40,7 @@ impl Growth {
         }
         if let Some(row) = &self.curvatures {
             if self.elements == 0 {
-                let expected = "none, since the last element goes on (elements is 0)";
+                let expected = "none, since the last element continues (elements is 0)";
                 return Err(Error::invalid(format!("{argument}.curvatures"), format!("{row:?}"), expected));
             }
             (0..3).try_for_each(|axis| check_finite(|| format!("{argument}.curvatures[{axis}]"), row[axis]))?;
@@ -50,7 +51,7 @@ impl Growth {
         Ok(())
     }
 
-    /// Lengths after it.
+    /// Lengths after the growth.
     pub(crate) fn lengths(&self, lengths: &[f64]) -> Vec<f64> {
         let mut out = lengths.to_vec();
         match (self.elements, out.last_mut()) {
@@ -60,7 +61,7 @@ impl Growth {
         out
     }
 
-    /// Rows after it.
+    /// Rows after the growth.
     pub(crate) fn rows(&self, rows: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let mut out = rows.to_vec();
         let last = rows.last().copied().unwrap_or_default();
@@ -69,10 +70,10 @@ impl Growth {
     }
 }
 
-/// A cut that is nearer to an element's end than this share of its length is at that end.
+/// A cut closer to an element's end than this fraction of its length is at that end.
 const SLIVER: f64 = 1e-12;
 
-/// The lengths of what is left of elements when they are cut at an arclength, above zero and at most their sum.
+/// The remaining lengths of elements cut at an arclength, which is above zero and at most their sum.
 pub(crate) fn cut_lengths(lengths: &[f64], arclength: f64) -> Vec<f64> {
     let mut rest = arclength;
     let mut out = Vec::new();
@@ -81,7 +82,7 @@ pub(crate) fn cut_lengths(lengths: &[f64], arclength: f64) -> Vec<f64> {
             out.push(*length);
             rest = (rest - length).max(0.0);
         } else {
-            // A sliver is left out, but never the only element.
+            // A sliver is dropped, unless it is the only element.
             if rest > SLIVER * length || out.is_empty() {
                 out.push(rest);
             }
@@ -92,11 +93,11 @@ pub(crate) fn cut_lengths(lengths: &[f64], arclength: f64) -> Vec<f64> {
 }
 
 impl StrandShape {
-    /// Cuts the strand at an arclength from the root (m): what is left keeps its shape exactly. The element that is cut is shorter, of the same
-    /// helix. Returns how many elements are left. Cutting at the strand's length changes nothing.
+    /// Cuts the strand at an arclength from the root (m); the rest keeps its shape exactly. The cut element becomes shorter, with
+    /// the same helix. Returns how many elements remain. Cutting at the strand's length changes nothing.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a shape that cannot be used or an arclength that is not above zero and at most the length.
+    /// [`Error::InvalidArgument`] for an invalid shape or an arclength that is not above zero and at most the length.
     pub fn cut(&mut self, arclength: f64) -> Result<usize> {
         self.check("shape")?;
         check_cut("arclength", arclength, self.length(), "the strand")?;
@@ -105,10 +106,10 @@ impl StrandShape {
         Ok(self.element_lengths.len())
     }
 
-    /// Lets the strand grow at its tip; what was there keeps its shape.
+    /// Lets the strand grow at its tip; the existing part keeps its shape.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a shape that cannot be used or a growth out of range.
+    /// [`Error::InvalidArgument`] for an invalid shape or a growth out of range.
     pub fn grow(&mut self, growth: &Growth) -> Result<()> {
         self.check("shape")?;
         growth.check("growth", self.curvatures.len())?;
@@ -118,7 +119,7 @@ impl StrandShape {
     }
 }
 
-/// Checks where a strand of that length is to be cut; `strand` is its name in the error.
+/// Checks an arclength for a cut of a strand of this length; `strand` is its name in the error.
 pub(crate) fn check_cut(argument: &str, arclength: f64, length: f64, strand: impl std::fmt::Display) -> Result<()> {
     if arclength > 0.0 && arclength <= length * (1.0 + 1e-9) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Binding: whom each strand follows, where it stands, what is random about it.
+//! Binds render strands to guides: which guides each strand follows, its place among them, and its random numbers.
 
 use nalgebra::Vector3;
 
@@ -19,14 +19,14 @@ use crate::error::{Error, Result, check_finite};
 use crate::math::random::Seeded;
 use crate::workers::Crew;
 
-/// What strands are bound by.
+/// The data for binding strands.
 pub(super) struct Binder<'a> {
     settings: &'a RenderSettings,
     reference: &'a Reference,
-    /// The guides at binding.
+    /// The guides at binding time.
     shape: &'a Shape,
     sections: Vec<Section>,
-    /// Of each guide.
+    /// One per guide.
     curliness: Vec<f64>,
 }
 
@@ -46,7 +46,7 @@ impl<'a> Binder<'a> {
         Self { settings, reference, shape, sections, curliness }
     }
 
-    /// Strand `index` with its root at a place, in no wisp yet.
+    /// Strand `index` with its root at a position, in no wisp yet.
     pub fn strand(&self, index: usize, root: Vector3<f64>, followed: &Followed) -> (RenderStrand, Option<RenderCurl>) {
         let (settings, reference) = (self.settings, self.reference);
         let number = |purpose: u64| Seeded::new(settings.seed, purpose).unit(index as u64);
@@ -79,11 +79,11 @@ impl<'a> Binder<'a> {
         (strand, reference.curved.then(|| align::align(reference, self.shape, followed)))
     }
 
-    /// What follows of the wisp that a strand is in.
+    /// Sets everything that follows from the strand's wisp.
     pub fn in_wisp(&self, strand: &mut RenderStrand) {
         let (settings, reference) = (self.settings, self.reference);
         let guide = strand.guides[0] as usize;
-        // Numbers of a wisp are those of its guide and its place among the guide's.
+        // A wisp's random numbers depend on its guide and its index there.
         let item = guide as u64 * super::MOST_WISPS as u64 + u64::from(strand.wisp);
         let number = |purpose: u64| Seeded::new(settings.seed, purpose).unit(item);
         strand.clump = (Seeded::new(settings.seed, 18).bits(item) % CURVES as u64) as u32;
@@ -106,20 +106,21 @@ impl<'a> Binder<'a> {
 }
 
 impl RenderHair {
-    /// [`RenderHair::bind_on`], where the scalp's normals are not known: they are taken from the planes of roots about each guide.
+    /// [`RenderHair::bind_on`] without the scalp's normals: the planes of roots around each guide replace them.
     ///
     /// # Errors
-    /// Those of [`RenderHair::bind_on`].
+    /// As [`RenderHair::bind_on`].
     pub fn bind(settings: &RenderSettings, guides: &GuideSamples, roots: &[Vector3<f64>]) -> Result<Self> {
         Self::bind_on(settings, guides, roots, None)
     }
 
-    /// The map from guides, as they are at binding (in their rest pose), to strands with their roots at the given places, m, of the same
-    /// moment. `normals`: the scalp's, unit vectors, one for each root; they say how wisps stand on it. Takes some microseconds a strand.
+    /// Builds the map from guides, as they are at binding time (in their rest pose), to strands with roots at the given
+    /// positions, m, at the same time. `normals`: the scalp's, unit vectors, one per root; they orient the wisps on it. Takes
+    /// some microseconds per strand.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for settings out of range, counts that do not fit, numbers that are not finite; [`Error::Unsupported`]
-    /// where threads cannot be started.
+    /// [`Error::InvalidArgument`] for settings out of range, mismatched counts, numbers that are not finite;
+    /// [`Error::Unsupported`] where threads cannot be started.
     pub fn bind_on(
         settings: &RenderSettings,
         guides: &GuideSamples,
@@ -170,7 +171,7 @@ impl RenderHair {
         Self::assembled(settings.clone(), reference, strands, curls)
     }
 
-    /// A map of its parts.
+    /// A map from its fields.
     pub(super) fn assembled(
         settings: RenderSettings,
         reference: Reference,

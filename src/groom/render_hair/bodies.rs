@@ -1,4 +1,4 @@
-//! Strands kept out of bodies: points that are too near go out along the distance field.
+//! Keeps render strands out of bodies: points that are too close move out along the distance field.
 
 use nalgebra::Vector3;
 
@@ -8,7 +8,7 @@ use crate::contact::shape::{DistanceGrid, PlaneField, Shape};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 
-/// A body that strands are kept out of.
+/// A body that strands stay out of.
 ///
 /// ```
 /// use superhelix::render::RenderBody;
@@ -21,25 +21,25 @@ use crate::math::frame::Frame;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct RenderBody<'a> {
-    /// Its shape. Of a distance grid tangent planes at its nodes are looked at, some nanoseconds a point; other shapes are asked in full:
-    /// of a mesh make a grid.
+    /// Its shape. A distance grid is read through tangent planes at its nodes, at some nanoseconds per point; other shapes are
+    /// evaluated fully: bake a grid of a mesh.
     pub shape: &'a Shape,
-    /// Where it is.
+    /// Its pose.
     pub pose: Frame,
-    /// Where it was at the earlier moment that velocities are taken from: [`Motion::Since`](super::Motion::Since)'s, or
+    /// Its pose at the earlier moment for velocities: [`Motion::Since`](super::Motion::Since)'s, or
     /// [`VELOCITY_STEP`](super::VELOCITY_STEP) ago.
     pub pose_before: Frame,
-    /// How far outside its shape the body's surface lies, m; 0 or above.
+    /// Distance of the body's surface outside its shape, m; 0 or above.
     pub thickness: f64,
 }
 
 impl<'a> RenderBody<'a> {
-    /// A body that stands still.
+    /// A body at rest.
     pub fn new(shape: &'a Shape, pose: Frame) -> Self {
         Self { shape, pose, pose_before: pose, thickness: 0.0 }
     }
 
-    /// Checks the numbers; `name` is the body's.
+    /// Checks the numbers; `name` is the body's name in errors.
     pub(super) fn check(&self, name: &str) -> Result<()> {
         check_not_negative(|| format!("{name}.thickness"), self.thickness)?;
         for (field, pose) in [("pose", &self.pose), ("pose_before", &self.pose_before)] {
@@ -55,36 +55,36 @@ impl<'a> RenderBody<'a> {
     }
 }
 
-/// A point as near as this to where it is to go is there, m.
+/// A point this close to its target has reached it, m.
 const CLOSE_ENOUGH: f32 = 2e-4;
-/// Tries to bring a point out; a field that is no distance everywhere takes more than one.
+/// Attempts to bring a point out; a field that is not a distance everywhere takes more than one.
 const TRIES: usize = 4;
-/// Points deeper than this go out to the side on which their guide is, m: the nearest surface may be that of the other side.
+/// Points deeper than this go out on their guide's side, m: the nearest surface may be on the other side,
 const DEEP: f32 = 4e-3;
-/// If that is no farther from them than so many times their depth: what is farther is beside something else.
+/// if the guide is within this many times their depth: a more distant one is beside something else.
 const BESIDE: f32 = 4.0;
-/// A way out is one along which the distance grows by so much a metre at least.
+/// A direction leads out if the distance grows along it by at least this much per metre.
 const STRAIGHT_OUT: f32 = 0.5;
-/// Distances between a grid's nodes are known to within so much of its cell.
+/// Distances between a grid's nodes are known to within this fraction of its cell.
 const GRID_ERROR: f32 = 0.5;
-/// Points that wait for what was asked for them from memory.
+/// Points that wait for prefetched memory.
 const WAITING: usize = 64;
-/// Beyond this, m, no distance from a shape without a grid is looked up: strands that lie closer to their guide than that need none.
+/// Beyond this, m, no distance from a shape without a grid is evaluated: strands closer than that to their guide need none.
 const FAR: f32 = 0.1;
-/// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
+/// The steepest rise of strands from their root to the surface, per metre of length.
 const RISE: f32 = 0.25;
 
-/// Distances about a body in its own axes.
+/// Distances around a body in its own axes.
 #[derive(Debug, Clone, Copy)]
 enum Field<'a> {
-    /// Places are in cells from the lowest node.
+    /// Positions are in cells from the lowest node.
     Grid(PlaneField<'a>, &'a DistanceGrid),
-    /// Places are in m.
+    /// Positions are in m.
     Shape(&'a Shape),
 }
 
 impl Field<'_> {
-    /// Distance (m) and slopes, where the surface is nearer than `within` (m) or somewhat farther.
+    /// Distance (m) and slopes, where the surface is closer than `within` (m) or somewhat farther.
     #[inline(always)]
     fn at(&self, place: [f32; 3], within: f32) -> Option<(f32, [f32; 3])> {
         match self {
@@ -97,14 +97,14 @@ impl Field<'_> {
     }
 }
 
-/// A body at one moment, in single precision about the strands' origin.
+/// A body at one moment, in single precision relative to the strands' origin.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placed<'a> {
     field: Field<'a>,
-    /// From the world into the body's places: rows, then what is added.
+    /// From the world to the body's positions: rows, and the offset.
     into: [[f32; 3]; 3],
     shift: [f32; 3],
-    /// m a unit of the body's places.
+    /// Metres per unit of the body's positions.
     unit: f32,
     thickness: f32,
 }
@@ -126,7 +126,7 @@ impl<'a> Placed<'a> {
         }
     }
 
-    /// How far all about a point no point is nearer to the body than `clearance`, m; below zero where some are.
+    /// The distance around a point within which no point is closer to the body than `clearance`, m; below zero where some are.
     pub fn room(&self, point: [f32; 3], clearance: f32) -> f32 {
         let (place, near) = (self.place(point), self.thickness + clearance);
         match &self.field {
@@ -146,11 +146,13 @@ impl<'a> Placed<'a> {
         })
     }
 
-    /// A direction of the body's axes, times a length in m, in the world.
+    /// A direction in the body's axes, times a length in m, in world axes.
     #[inline(always)]
-    fn out(&self, way: [f32; 3], length: f32) -> [f32; 3] {
+    fn out(&self, direction: [f32; 3], length: f32) -> [f32; 3] {
         let size = length * self.unit;
-        [0, 1, 2].map(|axis| size * ((self.into[0][axis] * way[0] + self.into[1][axis] * way[1]) + self.into[2][axis] * way[2]))
+        [0, 1, 2].map(|axis| {
+            size * ((self.into[0][axis] * direction[0] + self.into[1][axis] * direction[1]) + self.into[2][axis] * direction[2])
+        })
     }
 }
 
@@ -160,20 +162,21 @@ pub(super) struct Points<'a> {
     pub rows: &'a mut [f32],
     pub stride: usize,
     pub count: usize,
-    /// How long the strand is to be, m.
+    /// The strand's target length, m.
     pub length: f32,
-    /// Its first guide's points from its root, rows as well, and that root.
+    /// Its first guide's points relative to its root, rows as well, and that root.
     pub guide: &'a [f32],
     pub guide_root: [f32; 3],
-    /// How far from that guide's points no body is near, squares, m².
+    /// The distance around that guide's points within which there is no body, squared, m².
     pub reach: &'a [f32],
 }
 
-/// Brings points that are nearer to a body than `clearance` out of it, or, those outside, to where those that come out leave them room: one
-/// `d` from the surface goes to c²/(2c − d), c the clearance, which is less near the root. The root stays.
+/// Moves points that are closer to a body than `clearance` out of it, and points just outside far enough to leave room for them:
+/// one at distance `d` from the surface goes to c²/(2c − d), where c is the clearance, which is less near the root. The root
+/// stays.
 #[inline(always)]
 pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points) {
-    // What one body pushes out another may have to push back.
+    // A point pushed out of one body may need a push from another.
     for _ in 0..bodies.len().min(2) {
         for body in bodies {
             let mut waiting = [(0, [0.0; 3]); WAITING];
@@ -201,7 +204,7 @@ pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points) {
     }
 }
 
-/// Keeps point `k`, which is at that place of a body's, out of it.
+/// Keeps point `k`, at this position in the body's units, out of the body.
 #[inline(always)]
 fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize, place: [f32; 3]) {
     let stride = points.stride;
@@ -218,7 +221,7 @@ fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize, 
     (0..3).for_each(|axis| points.rows[axis * stride + k] = out[axis]);
 }
 
-/// Where a point goes that is nearer to a body than the clearance.
+/// The target of a point that is closer to a body than the clearance.
 #[inline(always)]
 fn brought_out(
     body: &Placed,
@@ -229,7 +232,7 @@ fn brought_out(
 ) -> [f32; 3] {
     let target = clearance * clearance / (2.0 * clearance - distance);
     let dot = |a: [f32; 3], b: [f32; 3]| (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-    // What does not come out is not to lie deeper for it.
+    // A point that does not come out must not get deeper.
     let mut best = (distance, point);
     let (mut point, mut distance, mut slopes) = (point, distance, slopes);
     let mut side = None;
@@ -237,11 +240,11 @@ fn brought_out(
         let beside = guide();
         let apart = [0, 1, 2].map(|axis| beside[axis] - point[axis]);
         let is_beside = dot(apart, apart) < (BESIDE * distance) * (BESIDE * distance);
-        if is_beside && let Some((there, way)) = body.field.at(body.place(beside), f32::INFINITY) {
-            side = Some(way);
-            if dot(way, slopes) <= 0.0 {
-                // The guide is beyond the middle: from where it is, it is not far.
-                (point, distance, slopes) = (beside, there - body.thickness, way);
+        if is_beside && let Some((there, direction)) = body.field.at(body.place(beside), f32::INFINITY) {
+            side = Some(direction);
+            if dot(direction, slopes) <= 0.0 {
+                // The guide is on the other side: from there it is not far.
+                (point, distance, slopes) = (beside, there - body.thickness, direction);
             }
         }
         if distance >= target {
@@ -253,16 +256,16 @@ fn brought_out(
         if size < 1e-3 {
             break;
         }
-        let mut way = slopes.map(|slope| slope / size);
+        let mut direction = slopes.map(|slope| slope / size);
         if let Some(side) = side {
             let of_side = dot(side, side).sqrt();
-            // Where that leads along the surface, or in, it may come out anywhere.
+            // If that leads along the surface or inwards, it may come out anywhere.
             if distance < 0.0 && dot(side, slopes) > STRAIGHT_OUT * of_side * size {
-                way = side.map(|slope| slope / of_side);
+                direction = side.map(|slope| slope / of_side);
             }
         }
-        let step = (target - distance) / dot(way, slopes).max(STRAIGHT_OUT);
-        let more = body.out(way, step);
+        let step = (target - distance) / dot(direction, slopes).max(STRAIGHT_OUT);
+        let more = body.out(direction, step);
         (0..3).for_each(|axis| point[axis] += more[axis]);
         match body.field.at(body.place(point), f32::INFINITY) {
             Some((now, now_slopes)) => (distance, slopes) = (now - body.thickness, now_slopes),

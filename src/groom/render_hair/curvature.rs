@@ -1,26 +1,26 @@
-//! Strands mixed from their guides' lengths and bends: worked out from the root to the tip, sixteen strands side by side.
+//! Strands mixed from their guides' lengths and bends: integrated from root to tip, sixteen strands side by side.
 
 use super::RenderHair;
 use super::position::{STEP, gathered, lane, mixed_places};
 use super::shape::{BEND, CURL, LENGTH, Shape};
 use super::strand::{RenderCurl, RenderStrand};
 
-/// Strands that go side by side.
+/// How many strands go side by side.
 pub(super) const WIDTH: usize = 16;
 type Lanes = [f32; WIDTH];
 
-/// Room for the bends and places of [`WIDTH`] strands.
+/// Scratch memory for the bends and positions of [`WIDTH`] strands.
 #[derive(Debug, Default)]
 pub(super) struct Room {
-    /// Bends along n1 and n2, lengths, and how far it has gone over to its wisp, of one strand: rows.
+    /// Bends along n1 and n2, lengths, and blend into the wisp, of one strand: rows.
     rows: Vec<f32>,
-    /// The same of all: a point after the other, its three numbers, each for all strands.
+    /// The same for all strands: point after point, three numbers each, every number for all strands.
     bends: Vec<[Lanes; 3]>,
-    /// Places as they come: a point after the other, its three numbers, each for all strands.
+    /// Positions during integration: point after point, three numbers each, every number for all strands.
     walked: Vec<[Lanes; 3]>,
-    /// Places of one strand from the root as its guides' places make them: rows.
+    /// Positions of one strand relative to its root, mixed from its guides' positions: rows.
     mixed: Vec<f32>,
-    /// Places from the root: three rows a strand.
+    /// Positions relative to the root: three rows per strand.
     pub places: Vec<f32>,
 }
 
@@ -57,17 +57,17 @@ fn turning(squared: f32) -> (f32, f32) {
     (sine, cosine)
 }
 
-/// Sine and cosine, to 2e-7 for some hundreds of turns.
+/// Sine and cosine, to 2e-7 for up to some hundreds of turns.
 #[inline(always)]
 fn sine_cosine(angle: f32) -> (f32, f32) {
-    // Whole turns off, 2π in two parts; adding and taking away 1.5·2²³ rounds.
+    // Whole turns removed, 2π as the sum of two numbers; adding and subtracting 1.5·2²³ rounds.
     let turns = (angle * std::f32::consts::FRAC_1_PI * 0.5 + 12_582_912.0) - 12_582_912.0;
     let rest = (angle - turns * 6.281_25) - turns * 1.935_307_2e-3;
     let (sine, cosine) = turning(rest * rest);
     (rest * sine, 1.0 - rest * rest * cosine)
 }
 
-/// Works out the places of up to [`WIDTH`] strands from their roots.
+/// Computes the positions of up to [`WIDTH`] strands relative to their roots.
 #[inline(always)]
 pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], curls: &[RenderCurl], room: &mut Room) {
     let reference = &hair.reference;
@@ -76,7 +76,7 @@ pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], c
     room.bends.resize(stride, [[0.0; WIDTH]; 3]);
     room.walked.resize(stride, [[0.0; WIDTH]; 3]);
     room.places.resize(3 * stride * WIDTH, 0.0);
-    // Tangent, n1 and n2 on the edge at hand.
+    // Tangent, n1 and n2 on the current edge.
     let mut frames = [[[0.0_f32; WIDTH]; 3]; 3];
     for (lane, (strand, curl)) in strands.iter().zip(curls).enumerate() {
         start(shape, strand, curl, hair.settings.guides_per_strand, lane, &mut frames);
@@ -143,13 +143,13 @@ fn start(shape: &Shape, strand: &RenderStrand, curl: &RenderCurl, guides: usize,
         if k == 0 {
             first = q;
         }
-        // A rotation is two quaternions: the one on the first guide's side.
+        // A rotation has two quaternions: take the one on the first guide's side.
         let side = q[0] * first[0] + q[1] * first[1] + q[2] * first[2] + q[3] * first[3];
         let weight = if side < 0.0 { -strand.weights[k] } else { strand.weights[k] };
         (0..4).for_each(|number| sum[number] += weight * q[number]);
     }
     let squared = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] + sum[3] * sum[3];
-    // All are on the first's side, so the sum is at least its share; with nothing of it left the first counts.
+    // All are on the first one's side, so the sum is at least its part; if that vanishes the first one counts.
     let factor = 1.0 / squared.sqrt();
     let [x, y, z, w] = if squared > 1e-6 { sum.map(|value| value * factor) } else { first };
     let columns = [
@@ -164,18 +164,18 @@ fn start(shape: &Shape, strand: &RenderStrand, curl: &RenderCurl, guides: usize,
     }
 }
 
-/// A strand's bends and lengths, mixed from its guides'; as far as it has gone over to its wisp they are those of its first guide.
+/// A strand's bends and lengths, mixed from its guides'; to the extent that it blends into its wisp, those of its first guide.
 #[inline(always)]
 fn mix_bends(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, curl: &RenderCurl, rows: &mut [f32]) {
     let reference = &hair.reference;
     let (stride, size) = (reference.stride, reference.size());
     let (b1, rest) = rows.split_at_mut(stride);
     let (b2, rest) = rest.split_at_mut(stride);
-    let (lengths, share) = rest.split_at_mut(stride);
+    let (lengths, fraction) = rest.split_at_mut(stride);
     for at in (0..stride).step_by(STEP) {
-        share[at..at + STEP].copy_from_slice(&gathered(lane(&hair.profiles.place, at), strand.gather));
+        fraction[at..at + STEP].copy_from_slice(&gathered(lane(&hair.profiles.place, at), strand.gather));
     }
-    let gathered = &share[..stride];
+    let gathered = &fraction[..stride];
     b1.fill(0.0);
     b2.fill(0.0);
     lengths.fill(0.0);

@@ -1,4 +1,4 @@
-//! The strands' points, in tiles, by many threads.
+//! Evaluates the strands' points, in tiles and with many threads.
 
 use nalgebra::Vector3;
 
@@ -22,27 +22,27 @@ use crate::math::lanes::InstructionSet;
 #[cfg(target_arch = "x86_64")]
 use crate::math::lanes::{F64x4, F64x8};
 
-/// Strands that a task takes.
+/// Strands per task.
 const TILE: usize = 8 * WIDTH;
 
-/// Where strands' roots are: the place of strand `index` of the whole hair, m.
+/// Positions of the roots: maps strand `index` of the whole hair to metres.
 pub type RootsAt<'a> = &'a (dyn Fn(usize) -> Vector3<f64> + Sync);
 
-/// What velocities are taken from.
+/// The source of velocities.
 #[derive(Clone, Copy, Default)]
 pub enum Motion<'a> {
     /// No velocities.
     #[default]
     None,
-    /// The guides' own: the pose was set with velocities. Roots that the host gives are taken to move as the guides' roots do.
+    /// The guides' own: the pose was set with velocities. Roots given by the host are assumed to move like the guides' roots.
     Guides,
-    /// From where the strands were some time ago.
+    /// From the strands' positions some time ago.
     Since {
-        /// The pose of that time, of the same map.
+        /// The pose at that time, of the same map.
         before: &'a RenderPose,
-        /// How long ago that was, s; above 0.
+        /// The time since then, s; above 0.
         seconds: f64,
-        /// Where the roots were, if [`View::roots`] says where they are.
+        /// The roots' positions then, if [`View::roots`] gives the current ones.
         roots: Option<RootsAt<'a>>,
     },
 }
@@ -56,18 +56,18 @@ pub struct View<'a> {
     pub count: usize,
     /// Subtracted from positions in f64, before they are narrowed to f32, m.
     pub origin: Vector3<f64>,
-    /// Where the strands' roots are (on a scalp that deforms). Without them every root goes with the roots of its guides.
+    /// The positions of the strands' roots (on a scalp that deforms). Without them every root follows the roots of its guides.
     pub roots: Option<RootsAt<'a>>,
-    /// Whether material frames are wanted.
+    /// Whether to compute material frames.
     pub rotations: bool,
-    /// What velocities are taken from, where they are wanted.
+    /// The source of velocities, if they are wanted.
     pub motion: Motion<'a>,
-    /// What strands are kept out of, by [`RenderSettings::clearance`](super::RenderSettings::clearance).
+    /// Bodies that strands stay out of, by [`RenderSettings::clearance`](super::RenderSettings::clearance).
     pub bodies: &'a [RenderBody<'a>],
 }
 
 impl View<'_> {
-    /// All strands of a map: points alone, about the world's origin, kept out of nothing.
+    /// All strands of a map: points alone, relative to the world's origin, without bodies.
     pub fn whole(hair: &RenderHair) -> Self {
         Self {
             first: 0,
@@ -84,30 +84,30 @@ impl View<'_> {
 /// A strand's points.
 #[derive(Debug)]
 pub struct StrandPoints<'a> {
-    /// Which strand of the whole hair.
+    /// Index of the strand in the whole hair.
     pub strand: usize,
-    /// Positions less the origin, m: x, y and z of every point.
+    /// Positions relative to the origin, m: x, y and z of every point.
     pub positions: [&'a [f32]; 3],
-    /// Radius at every point of a strand of mean thickness, m; times `radius_factor` it is this strand's.
+    /// Radius at every point of a strand of mean thickness, m; multiply by `radius_factor` for this strand's.
     pub radii: &'a [f32],
-    /// This strand's thickness, as a share of the mean one.
+    /// This strand's thickness relative to the mean.
     pub radius_factor: f32,
-    /// Frames as quaternions x, y, z, w: n0 along the strand, n1 near that of the first guide, which is carried along from its follicle without
-    /// twist. Empty where not wanted.
+    /// Frames as quaternions x, y, z, w: n0 along the strand, n1 near that of the first guide, parallel-transported from its
+    /// follicle. Empty if not requested.
     pub rotations: [&'a [f32]; 4],
-    /// Velocities, m/s. Empty where not wanted.
+    /// Velocities, m/s. Empty if not requested.
     pub velocities: [&'a [f32]; 3],
 }
 
-/// Who takes the points. Strands come in any order and from any thread, each once.
+/// Receives the points. Strands come in any order and from any thread, each once.
 pub trait StrandSink: Sync {
-    /// Takes a strand.
+    /// Receives a strand.
     fn take(&self, points: &StrandPoints);
 }
 
 /// A worker's memory.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct EvaluateScratch {
     now: Vec<f32>,
     before: Vec<f32>,
     rotations: Vec<f32>,
@@ -121,28 +121,28 @@ pub(super) struct Scratch {
     bends_before: curvature::Room,
 }
 
-/// An earlier moment that velocities are taken from.
+/// An earlier moment for velocities.
 #[derive(Clone, Copy)]
 struct Earlier<'a> {
     shape: &'a Shape,
     roots: Option<RootsAt<'a>>,
     /// 1/s.
     rate: f32,
-    /// Roots that are given now go back as their guides' do.
+    /// Whether the current roots given by the host go back like their guides' roots.
     carry: bool,
 }
 
 impl RenderPose {
-    /// Evaluates some of the strands: `sink` gets each once. By the map's workers, or in tasks of the host's own that call this for some of
-    /// the strands each.
+    /// Evaluates some of the strands; `sink` receives each once. Uses the map's workers; or the host calls it in its own tasks
+    /// for some of the strands each.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for strands that are not there, numbers that are not finite, a pose that was never set, velocities from
-    /// a pose of another map or from guides that came without. Nothing has gone to the sink then.
+    /// [`Error::InvalidArgument`] for nonexistent strands, numbers that are not finite, a pose that was never set, velocities
+    /// from a pose of another map or from guides without velocities. The sink has then received nothing.
     pub fn evaluate(&self, view: &View, sink: &impl StrandSink) -> Result<()> {
         let hair = &**self.hair();
         if !self.is_set() {
-            return Err(Error::invalid("pose", "never set", "one that says where the guides are"));
+            return Err(Error::invalid("pose", "never set", "a pose that was set"));
         }
         let total = hair.strands.len();
         if view.first > total {
@@ -213,7 +213,7 @@ impl RenderPose {
                     return Err(Error::invalid("before", "a pose of another map", "one of the same"));
                 }
                 if !before.is_set() {
-                    return Err(Error::invalid("before", "never set", "a pose that says where the guides were"));
+                    return Err(Error::invalid("before", "never set", "a pose that was set"));
                 }
                 check_positive(|| "seconds".into(), seconds)?;
                 if roots.is_some() != view.roots.is_some() {
@@ -237,7 +237,7 @@ struct TileWork<'a, S> {
     evaluation: u64,
     first: usize,
     count: usize,
-    scratch: &'a mut Scratch,
+    scratch: &'a mut EvaluateScratch,
     sink: &'a S,
 }
 
@@ -250,8 +250,19 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
         let hair = &**pose.hair();
         let (stride, points, size) = (hair.reference.stride, hair.reference.points, hair.reference.size());
         let clearance = hair.settings.clearance as f32;
-        let Scratch { now, before, rotations, guide_n1, room, lengths, lengths_before, reach, reach_before, bends, bends_before } =
-            scratch;
+        let EvaluateScratch {
+            now,
+            before,
+            rotations,
+            guide_n1,
+            room,
+            lengths,
+            lengths_before,
+            reach,
+            reach_before,
+            bends,
+            bends_before,
+        } = scratch;
         now.resize(4 * stride, 0.0);
         before.resize(4 * stride, 0.0);
         rotations.resize(4 * stride, 0.0);
@@ -317,8 +328,8 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
     }
 }
 
-/// Keeps a mixed strand out of bodies and at its length: rows of x, y and z, and of how far along each point is to be. Whether points have
-/// been moved along.
+/// Keeps a mixed strand out of bodies and at its length. Takes rows of x, y and z, and of the target arclength of each point;
+/// returns whether points were moved along.
 #[inline(always)]
 fn finish(
     hair: &RenderHair,
@@ -338,11 +349,11 @@ fn finish(
         let (length, reach) = (along[count - 1], reach.of(first, guide_root, about));
         keep_out(bodies, clearance, &mut Points { rows, stride, count, length, guide, guide_root, reach });
     }
-    // Without either a strand costs nothing more and keeps its bits.
+    // Without either, a strand costs nothing more and keeps its bits.
     let wanted = if hair.settings.preserve_length || pushed {
         Wanted::Along(along, strand.length)
     } else if strand.length < 1.0 {
-        Wanted::Share(strand.length)
+        Wanted::Fraction(strand.length)
     } else {
         return false;
     };
@@ -350,7 +361,7 @@ fn finish(
     true
 }
 
-/// Where a strand's root is when it goes with those of its guides.
+/// The position of a strand's root if it follows those of its guides.
 #[inline(always)]
 fn follow(shape: &Shape, strand: &RenderStrand) -> Vector3<f64> {
     let mut root = Vector3::zeros();

@@ -2,9 +2,9 @@
 
 use super::quaternion::quaternion;
 
-/// Points that go side by side.
+/// How many points go side by side.
 const STEP: usize = 8;
-/// Squared sine of the angle between a strand and its guide's n1 below which another direction across is taken.
+/// Squared sine of the angle between a strand and its guide's n1 below which another transverse direction is used.
 const ALONG: f32 = 1e-8;
 
 #[inline(always)]
@@ -12,11 +12,11 @@ fn pick(yes: bool, a: f32, b: f32) -> f32 {
     if yes { a } else { b }
 }
 
-/// Rows of x, y, z and w of the frames: n0 by differences of the points (rows of x, y, z), n1 as near as can be to that of the guide (rows
-/// of x, y, z in `guide_n1`). `room` is scratch memory.
+/// Rows of x, y, z and w of the frames: n0 by differences of the points (rows of x, y, z), n1 as close as possible to that of the
+/// guide (rows of x, y, z in `guide_n1`). `room` is scratch memory.
 #[inline(always)]
 pub(super) fn frames(stride: usize, points: usize, guide_n1: &[f32], places: &[f32], room: &mut Vec<f32>, out: &mut [f32]) {
-    // Differences, and how far n1 is from being along the strand.
+    // Differences, and how far n1 is from the strand's direction.
     room.resize(4 * stride, 0.0);
     for axis in 0..3 {
         let (place, ahead) = (&places[axis * stride..][..points], &mut room[axis * stride..][..points]);
@@ -47,7 +47,7 @@ pub(super) fn frames(stride: usize, points: usize, guide_n1: &[f32], places: &[f
             let factor = 1.0 / across[k].sqrt();
             let b = [m[0] * factor, m[1] * factor, m[2] * factor];
             let c = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-            // As in `quaternion`, written so that compilers make vector instructions of it.
+            // As in `quaternion`, in a form that compilers vectorise.
             let s = [1.0 + a[0] - b[1] - c[2], 1.0 - a[0] + b[1] - c[2], 1.0 - a[0] - b[1] + c[2], 1.0 + a[0] + b[1] + c[2]];
             let (xy, xz, yz) = (a[1] + b[0], a[2] + c[0], b[2] + c[1]);
             let (wx, wy, wz) = (b[2] - c[1], c[0] - a[2], a[1] - b[0]);
@@ -71,7 +71,7 @@ pub(super) fn frames(stride: usize, points: usize, guide_n1: &[f32], places: &[f
         at += STEP;
     }
     for k in 0..points {
-        // Doubled points have no direction: it is not a number there.
+        // Coincident points have no direction: the result there is NaN.
         let across = room[3 * stride + k];
         if across.is_nan() || across < ALONG {
             let ahead = [0, 1, 2].map(|axis| room[axis * stride + k]);

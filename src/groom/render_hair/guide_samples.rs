@@ -4,27 +4,28 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result, check_finite};
 
-/// Points of guides at one moment: of a living solver's strands, or of curves from a cache.
+/// Points of guides at one moment: a solver's strands, or curves from a cache.
 #[derive(Debug, Clone, Copy)]
 pub struct GuideSamples<'a> {
-    /// The points of guide g are the items from g·P on, P the points a strand: uniform in arclength, root first, m.
+    /// The points of guide g start at item g·P, where P is the number of points per strand: uniform in arclength, root first, m.
     pub points: &'a [Vector3<f64>],
-    /// For each guide how its follicle is turned: any frame that goes with the head. Without them the head's turn is taken from the
-    /// roots' places together (the rigid turn that brings them closest to where they were at binding).
+    /// The orientation of each guide's follicle: any frame that moves with the head. Without them the roots' positions determine
+    /// the head's rotation (the rigid rotation that best matches their positions at binding).
     pub roots: Option<&'a [UnitQuaternion<f64>]>,
     /// Velocities of the points, m/s.
     pub velocities: Option<&'a [Vector3<f64>]>,
-    /// Angular velocities of the follicles, rad/s, to go with `velocities`; without them from the velocities of the roots together.
+    /// Angular velocities of the follicles, rad/s, to go with `velocities`; without them the velocities of all roots determine
+    /// them.
     pub root_angular_velocities: Option<&'a [Vector3<f64>]>,
 }
 
 impl<'a> GuideSamples<'a> {
-    /// Points alone.
+    /// Points only.
     pub fn at_rest(points: &'a [Vector3<f64>]) -> Self {
         Self { points, roots: None, velocities: None, root_angular_velocities: None }
     }
 
-    /// Checks numbers and counts; `guides` is how many there must be, or none to take what the points give.
+    /// Checks numbers and counts; `guides` is the required number, or `None` to derive it from the points.
     pub(super) fn check(&self, per_strand: usize, guides: Option<usize>) -> Result<usize> {
         let points = self.points.len();
         let count = guides.unwrap_or(points / per_strand);
@@ -66,18 +67,18 @@ fn vectors(name: &str, list: &[Vector3<f64>], needed: usize) -> Result<()> {
     Ok(())
 }
 
-/// Polylines at uniform places.
+/// Polylines at uniform arclengths.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Resampled {
-    /// The places, curve after curve.
+    /// The positions, curve after curve.
     pub points: Vec<Vector3<f64>>,
-    /// What the curves' points had, there.
+    /// The interpolated values.
     pub values: Option<Vec<Vector3<f64>>>,
 }
 
-/// Polylines of any number of points at `per_strand` places each, uniform in arclength: guides from a cache. `counts` are the points of each
-/// curve, at least one. `values` (of the points: velocities, say) are taken along. A curve without length has
-/// all its points at its root.
+/// Resamples polylines of any numbers of points at `per_strand` points each, uniform in arclength: guides from a cache. `counts`
+/// are the points of each curve, at least one. `values` per point (velocities, say) are interpolated as well. A curve without
+/// length has all its points at its root.
 ///
 /// # Errors
 /// [`Error::InvalidArgument`] for counts that are zero or do not add up, a list of another length, points that are not finite.
@@ -120,11 +121,11 @@ pub fn resampled(
                 edge += 1;
             }
             let (next, span) = ((edge + 1).min(count - 1), lengths[(edge + 1).min(count - 1)] - lengths[edge]);
-            let share = if span > 0.0 { ((wanted - lengths[edge]) / span).clamp(0.0, 1.0) } else { 0.0 };
-            out.push(curve[edge] + (curve[next] - curve[edge]) * share);
+            let fraction = if span > 0.0 { ((wanted - lengths[edge]) / span).clamp(0.0, 1.0) } else { 0.0 };
+            out.push(curve[edge] + (curve[next] - curve[edge]) * fraction);
             if let (Some(out), Some(values)) = (&mut out_values, values) {
                 let values = &values[first..first + count];
-                out.push(values[edge] + (values[next] - values[edge]) * share);
+                out.push(values[edge] + (values[next] - values[edge]) * fraction);
             }
         }
         first += count;

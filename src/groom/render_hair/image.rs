@@ -1,8 +1,8 @@
-//! A map as bytes, and back.
+//! Serialises the map.
 //!
-//! Little-endian: "SHXRHAIR", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). The body holds the
-//! settings (workers and instruction set are the host's and stay out), the guides at binding and the strands. What follows of those is
-//! worked out again.
+//! Little-endian: "SHXRHAIR", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). The body
+//! holds the settings (workers and instruction set belong to the host and are left out), the guides at binding, and the strands.
+//! Derived data is recomputed.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -15,11 +15,11 @@ use crate::error::{Error, Result};
 use crate::math::frame::UNIT_QUATERNION_TOLERANCE;
 use crate::workers::Workers;
 
-/// Changes whenever the bytes of an older version could not be read.
+/// Changes whenever older bytes can no longer be read.
 pub const RENDER_HAIR_VERSION: u32 = 1;
 const MAGIC: &[u8; 8] = b"SHXRHAIR";
 const HEAD: usize = 8 + 4 + 8;
-/// Words of 4 bytes that a strand takes, without and with what curvatures are mixed by.
+/// 4-byte words per strand, without and with the data for mixing curvatures.
 const STRAND_WORDS: usize = 2 * MOST_GUIDES + 3 * MOST_GUIDES + 2 + 2 + 2 + 3 + 3 + 3;
 const CURL_WORDS: usize = 4 * MOST_GUIDES + 1;
 
@@ -83,7 +83,7 @@ impl Reader<'_> {
 
     /// A finite number.
     fn double(&mut self) -> Result<f64> {
-        Some(self.f64()?).filter(|value| value.is_finite()).ok_or_else(|| bad("it holds a number that is not finite"))
+        Some(self.f64()?).filter(|value| value.is_finite()).ok_or_else(|| bad("it has a number that is not finite"))
     }
 
     fn vector(&mut self) -> Result<Vector3<f64>> {
@@ -96,7 +96,7 @@ impl Reader<'_> {
         for value in &mut out {
             *value = f32::from_bits(self.u32()?);
             if !value.is_finite() {
-                return Err(bad("it holds a number that is not finite"));
+                return Err(bad("it has a number that is not finite"));
             }
         }
         Ok(out)
@@ -110,7 +110,7 @@ impl Reader<'_> {
         Ok(out)
     }
 
-    /// How many items of so many bytes there are; no more than there are bytes for.
+    /// A number of items of this many bytes each; at most as many as there are bytes for.
     fn count(&mut self, bytes: usize, what: &str) -> Result<usize> {
         let count = self.u64()?;
         if count > (self.0.len() / bytes) as u64 {
@@ -121,7 +121,7 @@ impl Reader<'_> {
 }
 
 impl RenderHair {
-    /// The map as bytes, which [`RenderHair::from_bytes`] makes the same map of.
+    /// The map as bytes; [`RenderHair::from_bytes`] restores it.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut body = Writer::default();
         let s = &self.settings;
@@ -169,13 +169,14 @@ impl RenderHair {
         image.0
     }
 
-    /// The map that was made these bytes of, evaluated by `workers`: its strands come out as they did, to the bit.
+    /// Restores a map from its bytes, to be evaluated by `workers`: its strands are the same to the bit.
     ///
     /// # Errors
-    /// [`Error::Snapshot`] for bytes that are no map, of another version, damaged or cut off; those of [`RenderHair::bind`] for workers.
+    /// [`Error::Snapshot`] for bytes that are not a map, of another version, damaged or truncated; for workers as
+    /// [`RenderHair::bind`].
     pub fn from_bytes(image: &[u8], workers: Workers) -> Result<Self> {
         if image.len() < HEAD + 8 || &image[..8] != MAGIC {
-            return Err(bad("it is no render hair: it does not begin with SHXRHAIR, or is cut off"));
+            return Err(bad("it is not render hair: it does not begin with SHXRHAIR, or is truncated"));
         }
         let mut head = Reader(&image[8..HEAD]);
         let (version, length) = (head.u32()?, head.u64()?);
@@ -183,7 +184,7 @@ impl RenderHair {
             return Err(bad(format!("it is render hair of version {version}; this library reads version {RENDER_HAIR_VERSION}")));
         }
         if length != (image.len() - HEAD - 8) as u64 {
-            return Err(bad(format!("it states a body of {length} bytes and holds {}", image.len() - HEAD - 8)));
+            return Err(bad(format!("its header has a body of {length} bytes, and the image has {}", image.len() - HEAD - 8)));
         }
         let (body, hash) = image[HEAD..].split_at(image.len() - HEAD - 8);
         if Reader(hash).u64()? != fnv1a(body) {
@@ -222,7 +223,7 @@ impl RenderHair {
             let [i, j, k, w] = [body.double()?, body.double()?, body.double()?, body.double()?];
             let quaternion = Quaternion::new(w, i, j, k);
             if (quaternion.norm() - 1.0).abs() > UNIT_QUATERNION_TOLERANCE {
-                return Err(bad("a rotation is no unit quaternion"));
+                return Err(bad("a rotation is not a unit quaternion"));
             }
             rotations.push(UnitQuaternion::new_unchecked(quaternion));
         }
@@ -280,7 +281,7 @@ fn curl(body: &mut Reader) -> Result<RenderCurl> {
 }
 
 impl Reference {
-    /// From guides that have been checked, as they were at binding.
+    /// From checked guides, as they were at binding.
     fn restored(
         rest: Vec<Vector3<f64>>,
         points: usize,
@@ -301,7 +302,7 @@ impl Reference {
     }
 }
 
-/// All numbers of settings, in the order in which they are kept.
+/// All numbers of the settings, in file order.
 fn numbers(settings: &RenderSettings) -> [f64; 20] {
     let mut copy = settings.clone();
     numbers_mut(&mut copy).map(|number| *number)

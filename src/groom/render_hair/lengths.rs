@@ -1,34 +1,36 @@
-//! Strands kept as long as they are to be: points put anew on their way, as far from the root along it as wanted.
+//! Restores the lengths of render strands: moves points along their path to their target arclengths.
 
-/// No strand goes straight on beyond its way's end by more than a tenth of it: longer tails show. Its way is made longer instead.
+/// The most that a strand may continue straight beyond its path's end, as a factor: longer tails show. A shorter path is
+/// stretched.
 const LONGER: f32 = 1.1;
-/// By no more than this: what guides on two sides of a parting leave of a strand between them would stand up from it.
-const MOST_STRETCH: f32 = 1.3;
+/// The largest stretch of a path: what guides on two sides of a parting leave of a strand between them would stand up from it.
+const MAX_STRETCH: f32 = 1.3;
 
-/// A point and how far along the way it is, m.
+/// A point and its arclength on the path, m.
 type Knot = [f32; 4];
 
 /// Scratch memory.
 #[derive(Debug, Default)]
 pub(super) struct Room {
-    /// The points, with one more before the first and behind the last.
+    /// The points, with one more at each end.
     knots: Vec<Knot>,
     edges: Vec<f32>,
-    /// Where on the way, in points from the root, each point has come to lie.
+    /// The new position of each point on the path, in points from the root.
     pub places: Vec<f32>,
 }
 
-/// How far along their way points are to be.
+/// The target arclengths of points.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Wanted<'a> {
-    /// So far each, times a share.
+    /// These arclengths, times a fraction.
     Along(&'a [f32], f32),
-    /// As far as they are, times a share.
-    Share(f32),
+    /// Their own arclengths, times a fraction.
+    Fraction(f32),
 }
 
-/// Moves the points of rows of x, y and z (`stride` floats each, of which `points` count) along the Catmull–Rom spline through them, and beyond
-/// its end straight on; the root stays to the bit. A way that is much too short is stretched away from the root first.
+/// Moves the points of rows of x, y and z (`stride` floats each, of which `points` count) along the Catmull–Rom spline through
+/// them, and straight on beyond its end; the root stays to the bit. A path that is much too short is first stretched away from
+/// the root.
 #[inline(always)]
 pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [f32], room: &mut Room) {
     let Room { knots, edges, places } = room;
@@ -53,15 +55,15 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
         along += edges[k];
     }
     let whole = knots[points][3];
-    // One more at either end, on the parabola (of two points: the line) through the ends.
+    // One more at either end, on the parabola (for two points, the line) through the ends.
     let beyond = |a: Knot, b: Knot, c: Option<Knot>| -> Knot {
         std::array::from_fn(|axis| c.map_or(2.0 * a[axis] - b[axis], |c| 3.0 * (a[axis] - b[axis]) + c[axis]))
     };
     let third = points > 2;
     knots[0] = beyond(knots[1], knots[2], third.then(|| knots[3.min(points)]));
     knots[points + 1] = beyond(knots[points], knots[points - 1], third.then(|| knots[points - 2]));
-    let end = if let Wanted::Along(along, share) = wanted { share * along[points - 1] } else { 0.0 };
-    let stretch = (end / (LONGER * whole).max(f32::MIN_POSITIVE)).clamp(1.0, MOST_STRETCH);
+    let end = if let Wanted::Along(along, fraction) = wanted { fraction * along[points - 1] } else { 0.0 };
+    let stretch = (end / (LONGER * whole).max(f32::MIN_POSITIVE)).clamp(1.0, MAX_STRETCH);
     if stretch > 1.0 {
         let root = knots[1];
         for knot in knots.iter_mut() {
@@ -77,8 +79,8 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     places[0] = 0.0;
     for k in 1..points {
         let target = match wanted {
-            Wanted::Along(along, share) => less * (share * along[k]),
-            Wanted::Share(share) => share * knots[k + 1][3],
+            Wanted::Along(along, fraction) => less * (fraction * along[k]),
+            Wanted::Fraction(fraction) => fraction * knots[k + 1][3],
         };
         while at + 2 < points && knots[at + 2][3] <= target {
             at += 1;
@@ -88,7 +90,7 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
         let u = if span > 0.0 { (target - before) / span } else { 0.0 };
         places[k] = at as f32 + u.min(1.0);
         let place: [f32; 3] = if target > whole {
-            // Straight on, by the last edge that has a length.
+            // Straight on, along the last edge that has a length.
             let last = (0..points - 1).rev().find(|edge| edges[*edge] > 0.0);
             let (end, more) = (knots[points], target - whole);
             match last {
@@ -106,20 +108,20 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     }
 }
 
-/// What rows of anything along the way are at the places where points have come to lie, linearly between the points.
+/// The values of other rows along the path at the points' new positions, linear between the points.
 #[inline(always)]
 pub(super) fn taken_along(places: &[f32], stride: usize, points: usize, rows: &[f32], out: &mut Vec<f32>) {
     out.resize(rows.len(), 0.0);
     for (row, out) in rows.chunks_exact(stride).zip(out.chunks_exact_mut(stride)) {
         for k in 0..points {
             let at = (places[k] as usize).min(points - 2);
-            let share = places[k] - at as f32;
-            out[k] = row[at] + share * (row[at + 1] - row[at]);
+            let fraction = places[k] - at as f32;
+            out[k] = row[at] + fraction * (row[at + 1] - row[at]);
         }
     }
 }
 
-/// The shares of four places in a row at u between the middle two (Catmull and Rom 1974).
+/// The weights of four points in a row at u between the middle two (Catmull and Rom 1974).
 #[inline(always)]
 fn weights(u: f32) -> [f32; 4] {
     let (u2, u3) = (u * u, u * u * u);
@@ -156,16 +158,16 @@ mod tests {
         let arc = |s: f32| [(angle * s).cos(), (angle * s).sin(), 0.5 * s];
         let before = rows(points, stride, arc);
         let whole = length(&before, stride, points);
-        for share in [0.5_f32, 0.8, 1.0] {
+        for fraction in [0.5_f32, 0.8, 1.0] {
             let wanted: Vec<f32> = (0..stride).map(|k| whole * k as f32 / 32.0).collect();
-            for wanted in [Wanted::Along(&wanted, share), Wanted::Share(share)] {
+            for wanted in [Wanted::Along(&wanted, fraction), Wanted::Fraction(fraction)] {
                 let mut after = before.clone();
                 respace(wanted, stride, points, &mut after, &mut Room::default());
                 // Chords of the spline, which bulges beyond the polygon by 1 − cos(0.147) on 1 (0.3 % of the length).
-                assert!((length(&after, stride, points) / (share * whole) - 1.0).abs() < 4e-3);
+                assert!((length(&after, stride, points) / (fraction * whole) - 1.0).abs() < 4e-3);
                 for k in 0..points {
-                    let off = (0..3).map(|axis| (after[axis * stride + k] - arc(share * k as f32 / 32.0)[axis]).abs());
-                    assert!(off.fold(0.0, f32::max) < 2e-3, "{share} {k}");
+                    let off = (0..3).map(|axis| (after[axis * stride + k] - arc(fraction * k as f32 / 32.0)[axis]).abs());
+                    assert!(off.fold(0.0, f32::max) < 2e-3, "{fraction} {k}");
                 }
                 assert!(after[points..stride].iter().all(|value| *value == 7.0));
             }
@@ -181,7 +183,7 @@ mod tests {
         let mut line = rows(5, 8, |s| [s, 0.0, 0.0]);
         respace(Wanted::Along(&[0.0, 0.5, 1.0, 1.5, 2.0], 1.0), 8, 5, &mut line, &mut Room::default());
         assert!((0..5).all(|k| (line[k] - 0.3575 * k as f32).abs() < 1e-6), "{line:?}");
-        // An arc that is to be a quarter longer is a larger arc from the same root, with a tail.
+        // An arc made a quarter longer is a larger arc from the same root, with a tail.
         let arc = |s: f32| [(2.0 * s).sin(), 1.0 - (2.0 * s).cos(), 0.0];
         let (before, mut after) = (rows(33, 40, arc), rows(33, 40, arc));
         let whole = length(&before, 40, 33);
@@ -193,10 +195,10 @@ mod tests {
         assert!((0..29).all(|k| (bow(k) - scale).abs() < 1e-3));
         let mut two = rows(2, 8, |s| [0.1 + 0.8 * s, 0.0, 0.0]);
         let mut room = Room::default();
-        respace(Wanted::Share(0.25), 8, 2, &mut two, &mut room);
+        respace(Wanted::Fraction(0.25), 8, 2, &mut two, &mut room);
         assert!(two[0] == 0.1 && (two[1] - 0.3).abs() < 1e-6, "{two:?}");
         assert!((room.places[1] - 0.25).abs() < 1e-6);
-        // Points that are all in one place stay there.
+        // Coincident points stay where they are.
         let mut still = rows(4, 8, |_| [1.0; 3]);
         respace(Wanted::Along(&[0.0, 1.0, 2.0, 3.0], 1.0), 8, 4, &mut still, &mut room);
         assert!((0..4).all(|k| still[k] == 1.0));

@@ -1,16 +1,16 @@
-//! How a guide's curl goes round: the angle by which its bend has turned about the guide from point to point.
+//! The phase of a guide's curl: the angle by which its bend has rotated about the guide from point to point.
 //!
-//! Told in frames that are carried along without turning, the bends of a curl go round and round. Those of two curls that are out of step
-//! cancel when they are mixed. With each guide's own phase φ taken off they all point one way. The phase is the strongest frequency among
-//! the bends, as one tells a tone, and what is left is smoothed and followed; a straight or plainly bent guide has nearly none.
+//! In frames that are parallel-transported the bends of a curl rotate. Those of two curls that are out of phase cancel when
+//! mixed. With each guide's own phase φ removed they all point the same way. The phase starts as the strongest frequency among
+//! the bends; the rest is smoothed and tracked. A straight or plainly bent guide has nearly none.
 
 use super::shape::{BEND, Reference, Shape};
 use crate::math::rotation::arc_tangent;
 use crate::math::trigonometry::sine_cosine;
 
-/// The largest turn of the phase from point to point: beyond a half turn nobody can tell.
+/// The largest phase change from point to point: beyond a half turn it is ambiguous.
 const LARGEST: f64 = 0.95 * std::f64::consts::PI;
-/// What smoothed bends keep, as a share, for their angle to be followed.
+/// The fraction of their size that smoothed bends must keep for their angle to be tracked.
 const CLEAR: f64 = 0.3;
 
 type Complex = [f64; 2];
@@ -35,12 +35,12 @@ pub(super) fn argument([x, y]: Complex) -> f64 {
     if y < 0.0 { -angle } else { angle }
 }
 
-/// An angle taken to within half a turn of another.
+/// An angle shifted by whole turns to within half a turn of another.
 fn nearest_turn(angle: f64, to: f64) -> f64 {
     angle - std::f64::consts::TAU * ((angle - to) / std::f64::consts::TAU).round()
 }
 
-/// Phases of all guides, a row each.
+/// Phases of all guides, one row each.
 pub(super) fn phases(reference: &Reference, shape: &Shape) -> Vec<f32> {
     let stride = reference.stride;
     let mut out = vec![0.0; reference.guides * stride];
@@ -60,7 +60,7 @@ fn phases_of(bends: &[Complex]) -> Vec<f64> {
     let count = bends.len();
     let most = 4 * count as i64;
     let mut best = (0.0, 0.0);
-    // The slowest first: of equals that one is taken.
+    // Slowest first: of equals it wins.
     for step in 0..=most {
         for sign in [1.0, -1.0] {
             let turn = sign * LARGEST * step as f64 / most.max(1) as f64;

@@ -1,4 +1,4 @@
-//! Where the guides are at one moment.
+//! The guides of render hair at one moment.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::math::rotation::from_rotation_vector;
 
-/// How far back the guides are moved by their velocities to tell those of the strands, s: the strands' velocities are those over this time.
+/// The time over which the strands' velocities are taken, s: the guides are moved back by their velocities for as long.
 pub const VELOCITY_STEP: f64 = 1e-3;
 
 /// The guides of a [`RenderHair`] at one moment. Set it each frame; then any threads may evaluate it at the same time.
@@ -19,7 +19,7 @@ pub const VELOCITY_STEP: f64 = 1e-3;
 pub struct RenderPose {
     hair: Arc<RenderHair>,
     pub(super) now: Shape,
-    /// [`VELOCITY_STEP`] before, where velocities were given.
+    /// [`VELOCITY_STEP`] earlier, if velocities were given.
     pub(super) before: Option<Shape>,
 }
 
@@ -39,11 +39,11 @@ impl RenderPose {
         !self.now.origins.is_empty()
     }
 
-    /// Sets where the guides are, in the order of binding.
+    /// Sets the guides' points, in the order of binding.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for counts that do not fit, numbers that are not finite, or rotations of the roots where there were none
-    /// at binding. Nothing has changed then.
+    /// [`Error::InvalidArgument`] for mismatched counts, numbers that are not finite, or root rotations where there were none at
+    /// binding. Nothing has then changed.
     pub fn set(&mut self, guides: &GuideSamples) -> Result<()> {
         let reference = &self.hair.reference;
         guides.check(reference.points, Some(reference.guides))?;
@@ -73,8 +73,8 @@ impl RenderPose {
         Ok(())
     }
 
-    /// How the guides' roots have moved together since binding: the rigid motion that brings them closest from where they were to where they
-    /// are (Kabsch), as where to go from the origin and how to turn. A head goes so. Stillness, if the pose has never been set.
+    /// The common motion of the guides' roots since binding: the rigid motion that best maps their old positions to the new ones
+    /// (Kabsch), as a displacement of the origin and a rotation. A head moves like this. The identity if the pose was never set.
     pub fn head(&self) -> Frame {
         let from = &self.hair.reference.origins;
         if !self.is_set() {
@@ -85,7 +85,7 @@ impl RenderPose {
         Frame { origin: middle(&self.now.origins) - rotation * middle(from), rotation }
     }
 
-    /// Bytes that the pose holds, the map not among them.
+    /// Memory of the pose without the map, bytes.
     pub fn memory_usage(&self) -> u64 {
         let of = |shape: &Shape| {
             4 * shape.rows.capacity() + 16 * shape.starts.capacity() + 24 * shape.origins.capacity() + 36 * shape.turns.capacity()
@@ -94,7 +94,8 @@ impl RenderPose {
     }
 }
 
-/// Rotations of roots that have gone from one set of places to another: all turned as the places have; as they were where that cannot be told.
+/// Rotations of roots that moved from one set of positions to another: all turned like the positions, or unchanged where that is
+/// undetermined.
 fn turned(from: &[Vector3<f64>], to: &[Vector3<f64>], rotations: &[UnitQuaternion<f64>]) -> Vec<UnitQuaternion<f64>> {
     let turn = closest_turn(from, to).unwrap_or_default();
     rotations.iter().map(|rotation| turn * rotation).collect()

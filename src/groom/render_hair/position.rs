@@ -1,11 +1,11 @@
-//! Strands mixed from their guides' places, and brought to their wisps.
+//! Strands mixed from their guides' positions, and blended into their wisps.
 
 use super::RenderHair;
 use super::settings::MOST_GUIDES;
 use super::shape::{ALONG, N1, N2, PLACE, Shape};
 use super::strand::RenderStrand;
 
-/// Points that go side by side.
+/// How many points go side by side.
 pub(super) const STEP: usize = 8;
 pub(super) type Lane = [f32; STEP];
 
@@ -16,7 +16,7 @@ pub(super) fn lane(row: &[f32], at: usize) -> Lane {
     out
 }
 
-/// Where the guides' roots are for one strand, less the origin.
+/// Root positions for one strand, relative to the origin.
 pub(super) struct Roots {
     /// The strand's own.
     pub own: [f32; 3],
@@ -24,7 +24,7 @@ pub(super) struct Roots {
     pub first: [f32; 3],
 }
 
-/// How far a strand has gone over to its wisp at places 0 to 1: S(s/end) of the most.
+/// How far a strand has blended into its wisp at positions 0 to 1: S(s/end) of the most.
 #[inline(always)]
 pub(super) fn gathered(places: Lane, [most, inverse_end]: [f32; 2]) -> Lane {
     let mut out: Lane = [0.0; STEP];
@@ -35,11 +35,11 @@ pub(super) fn gathered(places: Lane, [most, inverse_end]: [f32; 2]) -> Lane {
     out
 }
 
-/// Writes a strand's points into rows of x, y and z, and behind them a row of how far from its root along its way each is to be. `bent`: the
-/// strand's places from its root as they came of its curvatures, rows as well; without them they are mixed from the guides' places.
+/// Writes a strand's points into rows of x, y and z, followed by a row of the target arclength of each. `bent`: the strand's
+/// positions relative to its root from its curvatures, rows as well; without them they are mixed from the guides' positions.
 #[inline(always)]
 pub(super) fn mix(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, roots: &Roots, bent: Option<&[f32]>, out: &mut [f32]) {
-    // As many guides as there are, so that the loop over them is unrolled.
+    // The number of guides as a constant unrolls the loop over them.
     match hair.settings.guides_per_strand {
         1 => mix_of::<1>(hair, shape, strand, roots, bent, out),
         2 => mix_of::<2>(hair, shape, strand, roots, bent, out),
@@ -48,7 +48,7 @@ pub(super) fn mix(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, roots
     }
 }
 
-/// Rows of a strand's places from its root as they are mixed from the guides' places.
+/// Rows of a strand's positions relative to its root, mixed from the guides' positions.
 #[inline(always)]
 pub(super) fn mixed_places(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, out: &mut [f32]) {
     let (stride, size) = (hair.reference.stride, hair.reference.size());
@@ -128,7 +128,7 @@ fn mix_of<const GUIDES: usize>(
             let mut place: Lane = [0.0; STEP];
             for k in 0..STEP {
                 let (interpolated, wisp) = (roots.own[axis] + mixed[k], roots.first[axis] + first[k]);
-                // Not interpolated + c (wisp - interpolated): at c = 1 the wisp itself must come out, to the bit.
+                // Not interpolated + c (wisp - interpolated): c = 1 must give the wisp itself, to the bit.
                 place[k] = ((1.0 - c[k]) * interpolated + c[k] * wisp) + (n1[k] * a1[k] + n2[k] * a2[k]);
             }
             out[axis * stride + at..axis * stride + at + STEP].copy_from_slice(&place);

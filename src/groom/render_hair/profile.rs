@@ -1,26 +1,26 @@
-//! What depends on the place along a strand and not on the guides: how far strands have gone over to their wisp, a wisp's radius, frizz
-//! and taper, as rows of numbers for the places of a strand's points.
+//! Profiles along a strand that do not depend on the guides: the blend into wisps, a wisp's radius, frizz and taper, as rows of
+//! numbers for a strand's points.
 
 use super::settings::RenderSettings;
 use crate::math::random::Seeded;
 use crate::math::trigonometry::sine_cosine;
 
-/// Curves that strands and wisps choose from, each turned and scaled in its own way.
+/// Random curves that strands and wisps choose from, each turned and scaled differently.
 pub(super) const CURVES: usize = 64;
-/// Waves that a frizz curve is the sum of, in each direction.
+/// Waves that a frizz curve sums, in each direction.
 const HARMONICS: usize = 3;
 
-/// S(x) = 3x² − 2x³ from 0 to 1, held outside.
+/// S(x) = 3x² − 2x³ from 0 to 1, constant outside.
 fn smooth_step(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
 }
 
-/// A strand's way goes over to its wisp by at most this much sideways for each metre ahead.
+/// The most that a strand moves sideways into its wisp, per metre along it.
 const STEEPEST: f64 = 0.5;
 
-/// How far strands of that curliness go over to their wisp, and at which share of their length they have; see
-/// [`RenderSettings::curliness`]. One that stands `gap` (m) beside where its wisp begins, and is `length` long, goes over more slowly,
+/// How far strands of this curliness blend into their wisp, and at which fraction of their length they are done: see
+/// [`RenderSettings::curliness`]. A strand that is `length` long and starts `gap` (m) beside its wisp's start blends more slowly,
 /// or less far, so that its root has no kink.
 pub(super) fn gather(curliness: f64, gap: f64, length: f64) -> (f64, f64) {
     let end = (2.0 - 2.0 * curliness).clamp(0.1, 1.0);
@@ -35,16 +35,16 @@ fn bias(t: f64, shape: f64) -> f64 {
     t / (slant * (1.0 - t) + 1.0)
 }
 
-/// Rows of `stride` floats, of which those of a strand's points count.
+/// Rows of `stride` floats, of which the first ones belong to a strand's points.
 #[derive(Debug)]
 pub(super) struct Profiles {
-    /// The place along a strand, 0 to 1.
+    /// The position along a strand, 0 to 1.
     pub place: Vec<f32>,
-    /// A wisp's radius as a share.
+    /// A wisp's relative radius.
     pub wisp: Vec<f32>,
     /// Radius of a strand, m.
     pub radius: Vec<f32>,
-    /// Curves to stray along, as shares of the distance at the tip along n1 and n2, two rows each; empty where no strand strays.
+    /// Random curves for strands, relative to the distance at the tip, along n1 and n2, two rows each; empty without frizz.
     pub frizz: Vec<f32>,
     /// The same for wisps.
     pub clumps: Vec<f32>,
@@ -102,21 +102,21 @@ mod tests {
 
     #[test]
     fn curliness_gathers_monotonely_and_never_kinks() {
-        let share = |u: f64, s: f64| {
+        let fraction = |u: f64, s: f64| {
             let (most, end) = gather(u, 0.0, 0.2);
             most * smooth_step(s / end)
         };
         for k in 0..=100 {
             let s = f64::from(k) / 100.0;
-            assert_eq!(share(0.0, s), 0.0);
-            assert_eq!(share(0.5, s), smooth_step(s));
+            assert_eq!(fraction(0.0, s), 0.0);
+            assert_eq!(fraction(0.5, s), smooth_step(s));
             for u in 0..100 {
                 let (less, more) = (f64::from(u) / 100.0, f64::from(u + 1) / 100.0);
-                assert!(share(less, s) <= share(more, s) + 1e-15);
+                assert!(fraction(less, s) <= fraction(more, s) + 1e-15);
             }
         }
-        assert_eq!(share(1.0, 0.0), 0.0);
-        assert_eq!(share(1.0, 0.1), 1.0);
+        assert_eq!(fraction(1.0, 0.0), 0.0);
+        assert_eq!(fraction(1.0, 0.1), 1.0);
         // The steepest slope of most·gap·S(s/end) over the length is 3/2 of most·gap/(end·length).
         for (gap, length) in [(0.0, 0.1), (0.001, 0.2), (0.01, 0.2), (0.01, 0.02), (0.05, 0.001), (0.01, 0.0)] {
             let (most, end) = gather(1.0, gap, length);
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn frizz_has_the_deviation_that_was_asked_for_and_none_at_the_root() {
+    fn frizz_has_the_requested_deviation_and_none_at_the_root() {
         let settings = RenderSettings { points_per_strand: 33, frizz: 0.003, frizz_waves: 7.0, ..RenderSettings::default() };
         let profiles = Profiles::new(&settings, 40);
         let (mut square, mut count) = (0.0, 0);

@@ -1,4 +1,4 @@
-//! Rotations of frames in f32.
+//! Quaternions of frames in f32.
 
 /// The unit quaternion x, y, z, w of a rotation matrix's columns: by the largest of its four numbers (Shepperd 1978).
 #[inline(always)]

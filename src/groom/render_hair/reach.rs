@@ -1,4 +1,4 @@
-//! How far strands may lie from their first guide without being near a body: most of a groom's points need no other look.
+//! The distance around a guide within which no body lies: it spares most of a groom's points further checks.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -6,32 +6,32 @@ use super::bodies::Placed;
 use super::position::{Lane, STEP, lane};
 use super::shape::{PLACE, Shape};
 
-/// For each guide how far from its points no body is near, worked out when a strand first follows it.
+/// The free distance around each guide's points, computed when a strand first follows it.
 #[derive(Debug, Default)]
 pub(super) struct Reach {
-    /// Which evaluation a guide's row belongs to.
+    /// The evaluation to which a guide's row belongs.
     evaluations: Vec<u64>,
-    /// Rows of squares, m²; 0 where every strand needs a look, infinite where none does.
+    /// Rows of squares, m²; 0 where every strand needs a check, infinite where none does.
     squares: Vec<f32>,
 }
 
-/// What the rows are made from.
+/// What the rows are computed from.
 #[derive(Clone, Copy)]
 pub(super) struct About<'a> {
-    /// Which evaluation: rows of another one are not of these guides and bodies.
+    /// The evaluation: rows of another one belong to other guides and bodies.
     pub evaluation: u64,
     pub shape: &'a Shape,
     pub bodies: &'a [Placed<'a>],
     pub clearance: f32,
     pub stride: usize,
-    /// Points of a strand.
+    /// Points per strand.
     pub count: usize,
-    /// Floats of a guide.
+    /// Floats per guide.
     pub size: usize,
 }
 
 impl Reach {
-    /// A number for an evaluation that none had before.
+    /// A fresh number for an evaluation.
     pub fn new_evaluation() -> u64 {
         static LAST: AtomicU64 = AtomicU64::new(0);
         LAST.fetch_add(1, Ordering::Relaxed) + 1
@@ -57,7 +57,7 @@ impl Reach {
         self.evaluations[guide] = evaluation;
         let places = &shape.rows[guide * size + PLACE * stride..][..3 * stride];
         for (k, square) in self.squares[guide * stride..][..stride].iter_mut().enumerate() {
-            // The root stays, and what fills up the rows is no point.
+            // The root stays, and padding is no point.
             if k == 0 || k >= count {
                 *square = f32::INFINITY;
                 continue;
@@ -69,7 +69,7 @@ impl Reach {
     }
 }
 
-/// Which of points `at` to `at` + [`STEP`] − 1 of rows of x, y and z are not within a guide's reach, a bit each.
+/// Which of points `at` to `at` + [`STEP`] − 1 of rows of x, y and z are not within a guide's reach, one bit each.
 #[inline(always)]
 pub(super) fn beyond(rows: &[f32], guide: &[f32], root: [f32; 3], stride: usize, reach: &[f32], at: usize) -> u32 {
     let mut away: Lane = [0.0; STEP];
@@ -117,7 +117,8 @@ mod tests {
             let bodies = [Placed::new(&RenderBody { thickness, ..RenderBody::new(shape, pose) }, &pose, origin)];
             let (mut spared, mut clear) = (0, 0);
             for evaluation in 1..200 {
-                // A guide through and about the ball, its root where the origin is; a strand within 2 cm of it, some far off.
+                // A guide through and around the ball, its root at the origin; a strand within 2 cm of it, and some points far
+                // off.
                 let mut shape = Shape { rows: vec![0.0; 3 * stride], ..Shape::default() };
                 let mut rows = vec![0.0; 3 * stride];
                 let root = [0.1, 0.1, 0.1];

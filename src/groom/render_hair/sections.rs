@@ -1,35 +1,35 @@
-//! How a patch of scalp becomes the section of the hair that stands on it: turned from the scalp's normal to the hair's tangent, the shortest
-//! way. (Projected along the tangent instead, patches of hair that lies flat would become ribbons.)
+//! Maps a patch of scalp to the cross-section of the hair on it: rotates the scalp's normal to the hair's tangent along the
+//! shortest arc. (A projection along the tangent would turn patches of hair that lies flat into ribbons.)
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::shape::{N1, N2, Reference, Shape};
 use crate::math::point_tree::PointTree;
 
-/// Roots of guides from which the scalp's normal is told.
+/// Number of guide roots that determine the scalp's normal.
 const NEIGHBOURS: usize = 10;
-/// A patch whose second spread is less than this share of the first says no normal: its roots lie on a line.
+/// A patch whose second spread is less than this fraction of the first has no normal: its roots lie on a line.
 const LINE: f64 = 1e-4;
 
-/// What makes places on the scalp places in a guide's section.
+/// The map from positions on the scalp to positions in a guide's section.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Section {
-    /// The directions, at binding, that become n1 and n2; without them the scalp's normal is not known.
+    /// The directions, at binding, that become n1 and n2; `None` if the scalp's normal is unknown.
     rows: Option<[Vector3<f64>; 2]>,
     /// n1 and n2 at the guide's root, at binding.
     pub across: [Vector3<f64>; 2],
-    /// The direction in the section along which it is flattened, times how much.
+    /// The direction in the section along which it is flattened, times the amount.
     flattened: [f64; 2],
     along: [f64; 2],
 }
 
 impl Section {
-    /// The place in the section of a root that far from the guide's, m.
+    /// The position in the section of a root at this offset from the guide's, m.
     pub fn place(&self, away: Vector3<f64>) -> [f32; 2] {
         let [a, b] = match self.rows {
             Some([first, second]) => [first.dot(&away), second.dot(&away)],
             None => {
-                // No normal: the least turn that brings this root alone into the section.
+                // Without a normal: the least rotation that brings this root alone into the section.
                 let [a, b] = self.across.map(|axis| axis.dot(&away));
                 let size = (a * a + b * b).sqrt();
                 let factor = if size > 1e-3 * away.norm() { away.norm() / size } else { 1.0 };
@@ -50,8 +50,8 @@ fn turned(vector: Vector3<f64>, from: Vector3<f64>, to: Vector3<f64>) -> Vector3
     vector + axis.cross(&vector) + axis.cross(&axis.cross(&vector)) / (1.0 + cosine)
 }
 
-/// Normals of the scalp at the guides: of the strands that follow them first, where those are known, else of the plane through the roots
-/// about them, on the side on which the hair is.
+/// Normals of the scalp at the guides: from the strands that follow them first, if those are known; else from the plane through
+/// the roots around them, on the hair's side.
 pub(super) fn normals(
     reference: &Reference,
     shape: &Shape,
@@ -130,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_least_turn_keeps_what_is_across_both() {
+    fn the_least_rotation_keeps_the_common_perpendicular() {
         let (from, to) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(-0.8, 0.6, 0.0));
         assert!((turned(from, from, to) - to).norm() < 1e-15);
         let axis = from.cross(&to);

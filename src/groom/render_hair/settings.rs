@@ -1,28 +1,28 @@
-//! What render strands are to look like.
+//! Settings of render hair.
 
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::math::lanes::InstructionSet;
 use crate::workers::Workers;
 
-/// Most guides that a render strand follows.
+/// Most guides per render strand.
 pub const MOST_GUIDES: usize = 4;
 /// Most points of a render strand.
 pub const MOST_POINTS: usize = 4096;
-/// Most wisps that a guide is the middle of.
+/// Most wisps per guide.
 pub const MOST_WISPS: usize = 10_000;
 
 /// What is mixed where a render strand lies between guides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Space {
-    /// Positions: the strand stays between its guides. Curls that are out of step cancel. For straight and gently wavy hair.
+    /// Positions: the strand stays between its guides. Curls that are out of phase cancel. For straight and gently wavy hair.
     #[default]
     Position,
-    /// Lengths and curvatures: the strand has the mean length and the mean curl of its guides; where its tip comes to lie follows from that.
-    /// For curly hair.
+    /// Lengths and curvatures: the strand has the mean length and the mean curl of its guides, which determine the position of
+    /// its tip. For curly hair.
     Curvature,
 }
 
-/// How render strands are made from guides. Lengths in m.
+/// Settings of render hair. Lengths in m.
 ///
 /// ```
 /// use superhelix::render::RenderSettings;
@@ -34,40 +34,44 @@ pub enum Space {
 /// ```
 #[derive(Debug, Clone)]
 pub struct RenderSettings {
-    /// Points of a strand, root and tip included, 2 to [`MOST_POINTS`]; also those that each guide is sampled at. Default 16.
+    /// Points per strand, root and tip included, 2 to [`MOST_POINTS`]; also the number of samples of each guide. Default 16.
     pub points_per_strand: usize,
-    /// What is mixed between guides.
+    /// What to mix between guides.
     pub space: Space,
-    /// Guides that a strand follows at most, 1 to [`MOST_GUIDES`]. Default 4: with fewer, what guides do linearly over the scalp is not followed
-    /// exactly.
+    /// Most guides per strand, 1 to [`MOST_GUIDES`]. Default 4: with fewer, strands do not follow linear variations over the
+    /// scalp exactly.
     pub guides_per_strand: usize,
-    /// 0 to 1, from hair that is interpolated all along (0) over hair that is interpolated at the root and gathered in wisps at the tip (0.5)
-    /// to disjoint locks (1). With u the curliness, strands have gone over to their wisp by the share c(s) = m S(s/e), where s runs from 0
-    /// at the root to 1 at the tip, m = min(1, 2u), e = min(1, max(0.1, 2 − 2u)) and S(x) = 3x² − 2x³ (held at 1); where that would kink a strand's root,
-    /// it goes over later. Default 0.5.
+    /// 0 to 1, from hair that is interpolated over its whole length (0) over hair that is interpolated at the root and gathers in
+    /// wisps at the tip (0.5) to disjoint locks (1). With u the curliness, strands blend into their wisp by the fraction c(s) = m
+    /// S(s/e), where s runs from 0 at the root to 1 at the tip, m = min(1, 2u), e = min(1, max(0.1, 2 − 2u)) and S(x) = 3x² − 2x³
+    /// (1 beyond); where that would kink a strand's root, it blends later. Default 0.5.
     pub curliness: f64,
-    /// Each guide has a curliness of its own instead, measured on its shape ([`measured_curliness`](super::measured_curliness)).
+    /// Whether each guide has a curliness of its own instead, measured on its shape
+    /// ([`measured_curliness`](super::measured_curliness)).
     pub measure_curliness: bool,
-    /// Guides whose tips are farther apart than their roots by more than this do not go together in a strand; above 0. Default: infinite.
+    /// Guides whose tips are farther apart than their roots by more than this are not mixed in a strand; above 0. Default:
+    /// infinite.
     pub max_tip_distance: f64,
-    /// The same as a share of the shorter guide's length. Default 0.6.
+    /// The same as a fraction of the shorter guide's length. Default 0.6.
     pub max_tip_ratio: f64,
-    /// Wisps a guide, 1 to [`MOST_WISPS`]: with more than one, strands near each other gather about a line beside the guide. Default 4.
+    /// Wisps per guide, 1 to [`MOST_WISPS`]: with more than one, neighbouring strands gather around a line beside the guide.
+    /// Default 4.
     pub wisps_per_guide: usize,
-    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places; 0 or above. Default 1, 0.6, 0.08.
+    /// A wisp's radius at root, middle and tip, relative to the one that its roots determine; 0 or above. Default 1, 0.6, 0.08.
     pub wisp_profile: [f64; 3],
-    /// 0 to 1: by which share wisps' sections are flattened, along the scalp's normal. 0 (default): as round as the patch of scalp that they
-    /// stand on; 1: ribbons.
+    /// 0 to 1: how much wisps' sections are flattened along the scalp's normal. 0 (default): as round as their patch of scalp; 1:
+    /// ribbons.
     pub flatness: f64,
-    /// Root mean square distance by which whole wisps stray from their way at the tip, from nothing at the root; 0 or above. Default 0.
+    /// Root mean square deviation of whole wisps from their path at the tip, growing from nothing at the root; 0 or above.
+    /// Default 0.
     pub clump_noise: f64,
     /// Waves of that along a strand, above 0 to 1000. Default 1.5.
     pub clump_noise_waves: f64,
-    /// Share of the strands that leave their wisps, 0 to 1. Default 0.02.
+    /// Fraction of the strands that leave their wisps, 0 to 1. Default 0.02.
     pub flyaways: f64,
-    /// Root mean square distance by which those stray from their way at the tip; 0 or above. Default 5 mm.
+    /// Root mean square deviation of those strands from their path at the tip; 0 or above. Default 5 mm.
     pub flyaway_distance: f64,
-    /// Root mean square distance by which strands stray from their way at the tip, from nothing at the root; 0 or above. Default 0.
+    /// Root mean square deviation of strands from their path at the tip, growing from nothing at the root; 0 or above. Default 0.
     pub frizz: f64,
     /// Waves of that along a strand, above 0 to 1000. Default 3.
     pub frizz_waves: f64,
@@ -75,26 +79,26 @@ pub struct RenderSettings {
     pub radius: f64,
     /// Radius at the tip. Default 15 µm.
     pub tip_radius: f64,
-    /// From where on, as a share of the length, the radius goes to that of the tip (linearly); 0 to less than 1. Default 0.5.
+    /// The fraction of the length from which the radius tapers linearly to that of the tip; 0 to less than 1. Default 0.5.
     pub taper_from: f64,
-    /// How the radius goes there, above −1 to below 1: 0 (default) linearly; above, strands stay thick and end bluntly; below, they are thin
-    /// early.
+    /// The shape of the taper, above −1 to below 1: 0 (default) is linear; above 0 strands stay thick and end bluntly; below 0
+    /// they get thin early.
     pub taper_shape: f64,
-    /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
+    /// The largest relative difference of radii between strands, 0 to 1. Default 0.1.
     pub radius_variation: f64,
-    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
+    /// The largest fraction by which strands are cut short, each by its own random one; 0 to less than 1. Default 0.25.
     pub length_variation: f64,
-    /// Whether strands are as long as their guides (before they are cut short): their points are put on their way as far apart as the guides'
-    /// are, so that neither mixing nor wisps nor bodies shorten or stretch them. Default: yes.
+    /// Whether strands are as long as their guides (before they are cut short): their points move along their path until they are
+    /// as far apart as the guides', so that neither mixing nor wisps nor bodies shorten or stretch them. Default: yes.
     pub preserve_length: bool,
-    /// How near to a body strands come before they are pushed ([`View::bodies`](super::View::bodies)): what would lie deeper is brought between
-    /// this and the surface, in the order of depth; above 0. Default 2 mm.
+    /// The distance from a body at which strands are pushed ([`View::bodies`](super::View::bodies)): deeper points are moved
+    /// between this and the surface, in the order of depth; above 0. Default 2 mm.
     pub clearance: f64,
-    /// Seed of all that is random.
+    /// Seed of everything random.
     pub seed: u64,
-    /// Who evaluates.
+    /// Which threads evaluate.
     pub workers: Workers,
-    /// Vector instructions to use; none: the best that the machine has. The results' bits do not depend on it.
+    /// Vector instructions to use; `None` for the best of the machine. The results' bits do not depend on it.
     pub instruction_set: Option<InstructionSet>,
 }
 
@@ -133,7 +137,7 @@ impl Default for RenderSettings {
 }
 
 impl RenderSettings {
-    /// Checks every field; `outer` is put before its name in the message.
+    /// Checks every field; messages put `outer` before its name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the field; [`Error::Unsupported`] for instructions that the machine does not have.

@@ -1,7 +1,7 @@
-//! The guides' shapes at one moment, in the form in which strands are mixed from them.
+//! The guides' shapes at one moment, in the form from which strands are mixed.
 //!
-//! A guide has frames that are carried along it without turning about it (Bishop 1975): wisps keep their sections in them, and the guide's
-//! bends, the angles from edge to edge, are told in them.
+//! A guide has parallel-transported frames (Bishop 1975): wisps keep their sections in them, and the guide's bends, the angles
+//! from edge to edge, are expressed in them.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -11,44 +11,44 @@ use crate::groom::polyline::Polyline;
 use crate::math::rotation::arc_tangent;
 use crate::math::trigonometry::sine_cosine;
 
-/// Rows of a guide: places from its root, and the frames' n1 and n2.
+/// Rows of a guide: positions relative to its root, and the frames' n1 and n2.
 pub(super) const PLACE: usize = 0;
 pub(super) const N1: usize = 3;
 pub(super) const N2: usize = 6;
-/// How long the edges from the root to a point are together.
+/// The total length of the edges from the root to a point.
 pub(super) const ALONG: usize = 9;
 /// Length of the edge from a point to the next.
 pub(super) const LENGTH: usize = 10;
 /// Rotation at a point from the edge before to the edge after it, along n1 and n2 of the edge before.
 pub(super) const BEND: usize = 11;
-/// The same with the curl's phase taken off.
+/// The same with the curl's phase removed.
 pub(super) const CURL: usize = 13;
-/// Rows of a guide without and with what is needed to mix curvatures.
+/// Rows of a guide without and with the data for mixing curvatures.
 const ROWS_OF_POSITIONS: usize = 10;
 const ROWS_OF_CURVATURES: usize = 15;
 
-/// What shapes of all moments have in common.
+/// What shapes at all moments share.
 #[derive(Debug)]
 pub(super) struct Reference {
     pub points: usize,
-    /// Floats of a row: the points, filled up with zeros.
+    /// Floats per row: the points, padded with zeros.
     pub stride: usize,
     pub guides: usize,
     /// The guides' points at binding.
     pub rest: Vec<Vector3<f64>>,
-    /// Where roots were then, and how they were turned.
+    /// The roots' positions at binding, and their rotations.
     pub origins: Vec<Vector3<f64>>,
     pub rotations: Vec<UnitQuaternion<f64>>,
     /// Whether the host gave the rotations.
     pub rotations_given: bool,
     /// Whether curvatures are mixed.
     pub curved: bool,
-    /// Phases of the guides' curls, a row a guide; empty while they are not known.
+    /// Phases of the guides' curls, one row per guide; empty while unknown.
     pub phases: Vec<f32>,
 }
 
 impl Reference {
-    /// From guides that have been checked.
+    /// From checked guides.
     pub fn new(samples: &GuideSamples, points: usize, guides: usize, curved: bool) -> Self {
         let origins: Vec<_> = (0..guides).map(|guide| samples.points[guide * points]).collect();
         let rotations = match samples.roots {
@@ -57,8 +57,8 @@ impl Reference {
                 .points
                 .chunks(points)
                 .map(|guide| {
-                    let way = first_direction(guide).unwrap_or_else(Vector3::z);
-                    Polyline::frame_along(way, None)
+                    let direction = first_direction(guide).unwrap_or_else(Vector3::z);
+                    Polyline::frame_along(direction, None)
                 })
                 .collect(),
         };
@@ -68,7 +68,7 @@ impl Reference {
         Self { points, stride, guides, rest, origins, rotations, rotations_given, curved, phases: Vec::new() }
     }
 
-    /// Floats of a guide.
+    /// Floats per guide.
     pub fn size(&self) -> usize {
         self.stride * if self.curved { ROWS_OF_CURVATURES } else { ROWS_OF_POSITIONS }
     }
@@ -78,10 +78,10 @@ impl Reference {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Shape {
     pub origins: Vec<Vector3<f64>>,
-    /// How the follicles are turned: columns of rotation matrices.
+    /// The follicles' orientations: columns of rotation matrices.
     pub turns: Vec<[[f32; 3]; 3]>,
     pub rows: Vec<f32>,
-    /// Quaternions of the frames on the guides' first edges, where curvatures are mixed.
+    /// Quaternions of the frames on the guides' first edges, if curvatures are mixed.
     pub starts: Vec<[f32; 4]>,
 }
 
@@ -92,7 +92,7 @@ fn first_direction(guide: &[Vector3<f64>]) -> Option<Vector3<f64>> {
 /// The least rotation that takes the unit vector `from` to `to`, applied to a vector across `from`.
 pub(super) fn carried(vector: Vector3<f64>, from: Vector3<f64>, to: Vector3<f64>) -> Vector3<f64> {
     let denominator = 1.0 + from.dot(&to);
-    // A way that turns back on itself says not about which axis: what is across both stays.
+    // A path that turns straight back does not determine an axis: what is across both stays.
     if denominator < 1e-9 { vector } else { vector - (from + to) * (to.dot(&vector) / denominator) }
 }
 
@@ -114,8 +114,8 @@ fn turn(from: Vector3<f64>, to: Vector3<f64>) -> Vector3<f64> {
     axis * (if cosine < 0.0 { std::f64::consts::PI - angle } else { angle } / sine)
 }
 
-/// The rotation about the points' middle that brings one set of points closest to another (Kabsch 1976; Horn 1987); none where the points
-/// lie on a line.
+/// The rotation about the points' centroid that best maps one set of points to another (Kabsch 1976; Horn 1987); `None` for
+/// points on a line.
 pub(super) fn closest_turn(from: &[Vector3<f64>], to: &[Vector3<f64>]) -> Option<UnitQuaternion<f64>> {
     let middle = |points: &[Vector3<f64>]| points.iter().sum::<Vector3<f64>>() / points.len() as f64;
     let (a, b) = (middle(from), middle(to));
@@ -134,7 +134,7 @@ pub(super) fn closest_turn(from: &[Vector3<f64>], to: &[Vector3<f64>]) -> Option
     let (u, v_transposed) = (parts.u?, parts.v_t?);
     let mut values: [f64; 3] = parts.singular_values.into();
     values.sort_by(f64::total_cmp);
-    // Two directions must be told, each by more than rounding.
+    // Two directions must be determined, each by more than rounding.
     if values[1] < 1e-9 {
         return None;
     }
@@ -147,7 +147,7 @@ pub(super) fn closest_turn(from: &[Vector3<f64>], to: &[Vector3<f64>]) -> Option
 }
 
 impl Shape {
-    /// From guides that have been checked, with the follicles' rotations.
+    /// From checked guides, with the follicles' rotations.
     pub fn update(&mut self, reference: &Reference, points: &[Vector3<f64>], rotations: &[UnitQuaternion<f64>]) {
         self.origins.clear();
         self.turns.clear();
@@ -170,7 +170,7 @@ impl Shape {
     }
 }
 
-/// Fills the rows of a guide, and gives the rotation of its first edge's frame.
+/// Fills the rows of a guide, and returns the rotation of its first edge's frame.
 fn fill(
     reference: &Reference,
     points: &[Vector3<f64>],
@@ -183,12 +183,12 @@ fn fill(
     let mut put = |row: usize, k: usize, vector: Vector3<f64>| {
         (0..3).for_each(|axis| rows[(row + axis) * stride + k] = vector[axis] as f32);
     };
-    // Directions of the edges; one without length has that of the edge before it.
+    // Directions of the edges; one without length takes that of the edge before it.
     edges.clear();
-    let mut way = first_direction(points).unwrap_or_else(|| rotation * Vector3::x());
+    let mut direction = first_direction(points).unwrap_or_else(|| rotation * Vector3::x());
     for edge in points.windows(2) {
-        way = (edge[1] - edge[0]).try_normalize(0.0).unwrap_or(way);
-        edges.push(way);
+        direction = (edge[1] - edge[0]).try_normalize(0.0).unwrap_or(direction);
+        edges.push(direction);
     }
     let mut tangent = edges[0];
     let mut n1 = across(carried(rotation * Vector3::y(), rotation * Vector3::x(), tangent), tangent);
@@ -252,7 +252,7 @@ mod tests {
             let found = closest_turn(&points, &there).expect("a turn");
             assert!(found.angle_to(&rotation) < 1e-7, "{}", found.angle_to(&rotation));
         }
-        // Points in a plane tell the turn as well, points on a line do not.
+        // Points in a plane determine the rotation as well; points on a line do not.
         let flat: Vec<_> = points.iter().map(|p| Vector3::new(p.x, p.y, 0.0)).collect();
         let rotation = from_rotation_vector(Vector3::new(0.5, 0.6, -0.7));
         let there: Vec<_> = flat.iter().map(|p| rotation * p).collect();

@@ -1,8 +1,8 @@
-//! Strands of mixed curvatures brought to where mixed positions lead.
+//! Moves strands of mixed curvatures to where mixed positions lead.
 //!
-//! A strand that is worked out from its root by its bends comes to lie where they lead it, which need not be between its guides: hair of a
-//! crown would stand up where bends to all sides cancel. Its curls are kept, and its course, the cubic through its root that fits it best, is
-//! changed for that of the strand that the guides' positions make.
+//! A strand that is integrated from its root by its bends need not stay between its guides: hair of a crown would stand up where
+//! bends to all sides cancel. The strand keeps its curls. Its course, the best-fitting cubic through its root, is replaced by
+//! that of the strand that the guides' positions make.
 
 use nalgebra::DMatrix;
 
@@ -11,12 +11,12 @@ const TERMS: usize = 3;
 /// Points that go side by side.
 const STEP: usize = 8;
 
-/// What depends on the number of points alone: rows of `stride` floats.
+/// What depends only on the number of points: rows of `stride` floats.
 #[derive(Debug, Default)]
 pub(super) struct Silhouette {
     /// The terms at the points.
     powers: Vec<f32>,
-    /// What each point gives to the factor of a term.
+    /// The contribution of each point to the factor of a term.
     fit: Vec<f32>,
 }
 
@@ -34,7 +34,7 @@ impl Silhouette {
         Self { powers: row(&|term, k| basis[(k, term)]), fit: row(&|term, k| fit[(term, k)]) }
     }
 
-    /// Changes the course of a row of places from the root to that of another.
+    /// Replaces the course of a row of positions relative to the root by that of another.
     #[inline(always)]
     pub fn bring(&self, stride: usize, bent: &mut [f32], mixed: &[f32]) {
         let (bent, mixed) = (&mut bent[..stride], &mixed[..stride]);
@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_course_is_changed_and_what_is_on_it_kept() {
+    fn the_course_changes_and_its_details_stay() {
         for points in [2, 3, 4, 24] {
             let stride = usize::next_multiple_of(points, 8);
             let s = |k: usize| k as f32 / (points - 1) as f32;
@@ -74,8 +74,8 @@ mod tests {
                 assert!((bent[k] - mixed[k]).abs() < 1e-5, "{points} {k}: {} {}", bent[k], mixed[k]);
             }
         }
-        // A wave is no course: of eight along the strand the best cubic takes a quarter of one at the tip, where nothing beyond holds it, and less
-        // before.
+        // A wave is no course: of eight along the strand the best cubic takes a quarter of one at the tip, where nothing
+        // constrains it, and less before.
         let silhouette = Silhouette::new(64, 64);
         let wave: Vec<f32> = (0..64).map(|k| 0.01 * (0.8 * k as f32).sin()).collect();
         let mut bent = wave.clone();

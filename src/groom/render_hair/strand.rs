@@ -1,43 +1,44 @@
-//! A render strand as the map has it: whom it follows, and how.
+//! A render strand in the map: the guides that it follows, and how.
 
 use super::settings::MOST_GUIDES;
 
-/// What positions are mixed from.
+/// The data for mixing positions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RenderStrand {
-    /// The guides that it follows, the nearest first; places beyond the last repeat the first, with weight 0.
+    /// The guides that it follows, nearest first; entries beyond the last repeat the first, with weight 0.
     pub guides: [u32; MOST_GUIDES],
     /// Weights; their sum is 1.
     pub weights: [f32; MOST_GUIDES],
-    /// Its root from each guide's, in the frame of that guide's follicle, m.
+    /// Its root relative to each guide's, in the frame of that guide's follicle, m.
     pub roots: [[f32; 3]; MOST_GUIDES],
     /// Its wisp's middle along n1 and n2 of the first guide, m.
     pub middle: [f32; 2],
     /// Its root from there.
     pub offset: [f32; 2],
-    /// How far it goes over to its wisp, and one over where on its way it has done so.
+    /// How far it blends into its wisp, and the reciprocal of where along it that is complete.
     pub gather: [f32; 2],
-    /// Which curve it strays along, and how that is turned and scaled, m.
+    /// The index of its random curve, and the curve's rotation and scale, m.
     pub frizz: u32,
     pub frizz_turn: [f32; 2],
-    /// The same of its wisp.
+    /// The same for its wisp.
     pub clump: u32,
     pub clump_turn: [f32; 2],
     /// Factor on the radius.
     pub radius: f32,
-    /// How much of its length it has.
+    /// The fraction of its length that remains.
     pub length: f32,
-    /// Which of the first guide's wisps it belongs to.
+    /// Its wisp among the first guide's.
     pub wisp: u32,
 }
 
-/// What curvatures are mixed by, beside that.
+/// The data for mixing curvatures, in addition.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RenderCurl {
-    /// How each guide's frame on its first edge is turned about that edge, and its bends with it, before they are mixed: cosine and sine.
+    /// The rotation of each guide's frame on its first edge about that edge, and of its bends with it, before mixing: cosine and
+    /// sine.
     pub turns: [[f32; 2]; MOST_GUIDES],
     /// Cosine and sine of half of that.
     pub halves: [[f32; 2]; MOST_GUIDES],
-    /// Whether the bends are mixed with the curls' phases taken off.
+    /// Whether the bends are mixed with the curls' phases removed.
     pub curled: bool,
 }

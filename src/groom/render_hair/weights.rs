@@ -1,12 +1,12 @@
-//! Which guides a strand follows, and with what weights.
+//! Chooses the guides that a strand follows, and their weights.
 //!
-//! A guide's weight is (R − d)/(R d), d its root's distance and R that of the nearest root that is no longer among the strand's guides
-//! (Franke and Nielson 1980, after Shepard; they square it, which comes 3 to 5 % less close to strands left out of real grooms): it is 0
-//! where the guide leaves the strand's guides, so that strands change without jumps over the scalp, and 1 at the guide's own root.
+//! A guide's weight is (R − d)/(R d), where d is its root's distance and R that of the nearest root beyond the strand's guides
+//! (Franke and Nielson 1980, after Shepard; they square it, which fits strands left out of real grooms less well). It is 0 where
+//! the guide leaves the strand's guides, so that strands vary continuously over the scalp, and 1 at the guide's own root.
 //!
-//! These weights are then made to reproduce what is linear over the scalp (moving least squares, Lancaster and Salkauskas 1981): they are
-//! multiplied by a linear function of the place such that the guides' roots, weighted, come to lie where the strand's root is. What guides
-//! do alike or in proportion to their places, strands between them then do too.
+//! The weights are then corrected to reproduce what is linear over the scalp (moving least squares, Lancaster and Salkauskas
+//! 1981): a linear function of the position multiplies them, such that the weighted mean of the guides' roots is the strand's
+//! root. What guides do alike, or in proportion to their positions, strands between them then do too.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,13 +14,14 @@ use super::settings::{MOST_GUIDES, RenderSettings};
 use crate::error::{Error, Result};
 use crate::math::point_tree::PointTree;
 
-/// Candidates that are looked at for each guide that is wanted.
+/// Candidates examined per wanted guide.
 const CANDIDATES: usize = 4;
 
-/// Share of the roots' spread below which a direction has none: across the scalp, and where only two guides count.
-const LEAST_SPREAD: f64 = 0.03;
-/// No weight is farther below zero: beyond the guides what they do is carried on by no more.
-const LEAST: f64 = -0.25;
+/// A direction with less than this fraction of the roots' spread counts as having none: across the scalp, and where only two
+/// guides count.
+const MIN_SPREAD: f64 = 0.03;
+/// The lower bound on weights: it limits extrapolation beyond the guides.
+const MIN_WEIGHT: f64 = -0.25;
 
 /// Guides at binding.
 pub(super) struct Guides {
@@ -48,7 +49,7 @@ impl Guides {
         farther > settings.max_tip_distance || farther > settings.max_tip_ratio * self.lengths[a].min(self.lengths[b])
     }
 
-    /// The guides of a strand with that root, nearest first, and their weights, which sum to 1.
+    /// The guides of a strand with this root, nearest first, and their weights, which sum to 1.
     pub fn of(&self, root: Vector3<f64>, settings: &RenderSettings, found: &mut Vec<(f64, u32)>) -> Result<Followed> {
         let wanted = settings.guides_per_strand;
         self.tree.nearest(root, CANDIDATES * wanted + 1, found);
@@ -58,7 +59,7 @@ impl Guides {
         found.retain(|(_, guide)| !self.part(first as usize, *guide as usize, settings));
         let count = found.len().min(wanted);
         let distance = |k: usize| found[k].0.sqrt();
-        // Without a next one the border is put where the farthest still counts.
+        // Without a next one the border is where the farthest still counts.
         let border = if found.len() > wanted { distance(wanted) } else { 1.5 * distance(count - 1) };
         let mut followed = Followed { guides: [first; MOST_GUIDES], weights: [0.0; MOST_GUIDES], count };
         let mut sum = 0.0;
@@ -73,7 +74,7 @@ impl Guides {
             followed.weights[..count].iter_mut().for_each(|weight| *weight /= sum);
             self.reproduce(root, &mut followed);
         } else {
-            // On a guide's root, or all equally far: the nearest alone.
+            // On a guide's root, or at equal distances: the nearest alone.
             followed.weights = [0.0; MOST_GUIDES];
             followed.weights[0] = 1.0;
         }
@@ -82,7 +83,8 @@ impl Guides {
 }
 
 impl Guides {
-    /// Changes weights that sum to 1 such that the guides' roots, weighted by them, come to the strand's root, as far as they may.
+    /// Changes weights that sum to 1 such that the weighted mean of the guides' roots meets the strand's root, as far as limits
+    /// permit.
     fn reproduce(&self, root: Vector3<f64>, followed: &mut Followed) {
         let of = |k: usize| self.roots[followed.guides[k] as usize];
         let count = followed.count;
@@ -96,25 +98,25 @@ impl Guides {
         if size <= 0.0 || size.is_nan() {
             return;
         }
-        // Inverted at size one, since squares of small places are lost; what has no spread stays (Tikhonov).
+        // Inverted at size one, since squares of small positions are lost; directions without spread stay (Tikhonov).
         let spread = spread / size;
-        let Some(inverse) = (spread * spread + Matrix3::identity() * (LEAST_SPREAD * LEAST_SPREAD)).try_inverse() else { return };
+        let Some(inverse) = (spread * spread + Matrix3::identity() * (MIN_SPREAD * MIN_SPREAD)).try_inverse() else { return };
         let slope = inverse * spread * (root - middle) / size;
         let changes: [f64; MOST_GUIDES] =
             std::array::from_fn(|k| if k < count { followed.weights[k] * slope.dot(&(of(k) - middle)) } else { 0.0 });
-        let mut share: f64 = 1.0;
+        let mut fraction: f64 = 1.0;
         for k in 0..count {
             if changes[k] < 0.0 {
-                share = share.min((followed.weights[k] - LEAST) / -changes[k]);
+                fraction = fraction.min((followed.weights[k] - MIN_WEIGHT) / -changes[k]);
             }
         }
         for k in 0..count {
-            followed.weights[k] += share * changes[k];
+            followed.weights[k] += fraction * changes[k];
         }
     }
 }
 
-/// Whom a strand follows.
+/// The guides that a strand follows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Followed {
     /// Those beyond `count` repeat the first.

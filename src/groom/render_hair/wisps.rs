@@ -1,8 +1,8 @@
-//! Wisps: the strands that follow a guide first, shared among middles that lie far from each other.
+//! Wisps: divides the strands of each first guide among well-separated middles.
 
 use super::strand::RenderStrand;
 
-/// Rounds in which middles go to the centroids of their strands (Lloyd 1982), and strands to the nearest middles.
+/// Rounds in which middles move to the centroids of their strands (Lloyd 1982), and strands to the nearest middles.
 const ROUNDS: usize = 4;
 
 fn squared(a: [f32; 2], b: [f32; 2]) -> f64 {
@@ -10,16 +10,16 @@ fn squared(a: [f32; 2], b: [f32; 2]) -> f64 {
     x * x + y * y
 }
 
-/// The middle nearest to a place, and which it is.
+/// The middle nearest to a position, and its index.
 pub(super) fn nearest(place: [f32; 2], middles: &[[f32; 2]]) -> usize {
     let far = (0, f64::INFINITY);
     let nearer = |best: (usize, f64), (at, away): (usize, f64)| if away < best.1 { (at, away) } else { best };
     middles.iter().map(|middle| squared(place, *middle)).enumerate().fold(far, nearer).0
 }
 
-/// Gives every strand its wisp. The first middle is a guide itself, and each further one the strand farthest from all middles so far
-/// (Gonzalez 1985); a strand belongs to the nearest middle. Then middles go to the centroids of their strands. `offset` has the strands'
-/// roots from their guide's; it is counted from the middle afterwards.
+/// Assigns every strand to a wisp. The first middle is the guide itself, and each further one the strand farthest from all
+/// middles so far (Gonzalez 1985); a strand belongs to the nearest middle. Then middles move to the centroids of their strands.
+/// `offset` starts as the strands' roots relative to their guide's, and ends relative to the middle.
 pub(super) fn share_out(strands: &mut [RenderStrand], guides: usize, wisps_per_guide: usize) {
     let mut members: Vec<u32> = (0..strands.len() as u32).collect();
     members.sort_by_key(|index| strands[*index as usize].guides[0]);
@@ -56,7 +56,7 @@ pub(super) fn share_out(strands: &mut [RenderStrand], guides: usize, wisps_per_g
                     *middle = sum.map(|value| (value / count) as f32);
                 }
             }
-            // With one middle there is nothing to share.
+            // With one middle there is nothing to assign.
             if round == 0 && middles.len() == 1 {
                 break;
             }

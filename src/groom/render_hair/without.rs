@@ -1,4 +1,4 @@
-//! A map that lives on when guides are gone.
+//! Removes guides from a map.
 
 use nalgebra::Vector3;
 
@@ -12,12 +12,12 @@ use crate::error::{Error, Result};
 use crate::workers::Workers;
 
 impl RenderHair {
-    /// The map without some guides: the others keep their order, and strands that follow none of those that go stay as they are, to the bit.
-    /// The rest follow the guides that are left, as if they had been bound to them, and join the nearest of their wisps.
+    /// The map without some guides. The others keep their order, and strands that follow none of the removed guides stay the
+    /// same, to the bit. The rest follow the remaining guides as if bound to them, and join the nearest of their wisps.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] (`gone`) for guides that are not there, given twice, or all of them; [`Error::Unsupported`] where threads
-    /// cannot be started. A host's parallel loop is kept; a pool is made anew.
+    /// [`Error::InvalidArgument`] (`gone`) for nonexistent guides, repeated ones, or all of them; [`Error::Unsupported`] where
+    /// threads cannot be started. Keeps a host's parallel loop; creates a new pool.
     pub fn without_guides(&self, gone: &[u32]) -> Result<Self> {
         let old = &self.reference;
         let mut stays = vec![true; old.guides];
@@ -32,7 +32,7 @@ impl RenderHair {
         if gone.len() == old.guides {
             return Err(Error::invalid("gone (count)", gone.len(), "fewer than all guides"));
         }
-        // The new number of each guide that stays.
+        // The new index of each remaining guide.
         let mut left = 0;
         let numbers: Vec<Option<u32>> = stays
             .iter()

@@ -1,4 +1,4 @@
-//! How densely follicles are to stand.
+//! The relative density of follicles over a scalp.
 
 use super::{Follicle, Scalp};
 use crate::error::{Error, Result, check_not_negative, check_positive};
@@ -12,7 +12,8 @@ pub enum Density {
     Uniform,
     /// A number for each vertex, linear in between.
     Vertices(Vec<f64>),
-    /// A picture over the texture coordinates: row after row from v = 0, pixels' middles at (k + ½)/width, linear in between, repeated outside 0 to 1.
+    /// A picture over the texture coordinates: row after row from v = 0, with pixel centres at (k + ½)/width, linear in between,
+    /// repeated outside 0 to 1.
     Picture {
         /// Pixels of a row.
         width: usize,
@@ -21,18 +22,18 @@ pub enum Density {
         /// width·height numbers.
         values: Vec<f64>,
     },
-    /// By guides' roots, place by place however coarse the mesh is.
+    /// By guides' roots, place by place, however coarse the mesh is.
     Roots(GuideRoots, RootRegion),
-    /// All of them, multiplied.
+    /// The product of all of them.
     Product(Vec<Density>),
 }
 
-/// Which region roots say.
+/// The region that roots define.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RootRegion {
-    /// What is nearer to one than this, m: [`GuideRoots::near`].
+    /// Places closer to one than this, m: [`GuideRoots::near`].
     Within(f64),
-    /// What they cover, being so far apart, m: [`GuideRoots::cover`]. [`GuideRoots::spacing`] says how far.
+    /// What they cover with this spacing, m: [`GuideRoots::cover`]. [`GuideRoots::spacing`] measures it.
     Covered(f64),
 }
 
@@ -75,7 +76,7 @@ impl Density {
         Ok(())
     }
 
-    /// No density is larger.
+    /// An upper bound on the density.
     pub(super) fn most(&self) -> f64 {
         match self {
             Density::Uniform | Density::Roots(..) => 1.0,

@@ -1,13 +1,13 @@
-//! Sample elimination (Yuksel, "Sample elimination for generating Poisson disk sample sets", 2015): of many random candidates the most crowded
-//! go, one after the other.
+//! Sample elimination: of many random candidates the most crowded are removed, one after the other (Yuksel, "Sample elimination
+//! for generating Poisson disk sample sets", 2015).
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::collections::binary_heap::PeekMut;
 
-/// Pairs of candidates that are near each other: of each the other's number and their distance, as a share of the largest that counts.
+/// Pairs of neighbouring candidates: for each the other's index and their distance, relative to the largest that counts.
 pub(super) struct Neighbours {
-    /// Where each candidate's list begins; the end of the last.
+    /// The start of each candidate's list; the end of the last.
     starts: Vec<usize>,
     list: Vec<(u32, f32)>,
 }
@@ -42,9 +42,9 @@ impl Neighbours {
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Until {
-    /// That many are left.
+    /// When this many are left.
     Left(usize),
-    /// No two that are left are neighbours; what went and has no neighbour left comes back.
+    /// When no two are neighbours; removed ones without a remaining neighbour come back.
     Apart,
 }
 
@@ -68,18 +68,19 @@ impl PartialOrd for Crowded {
     }
 }
 
-/// Which candidates stay. `least` is the share of the largest distance below which pairs count no more for being nearer (Yuksel's weight limiting).
+/// Which candidates stay. `least` is the fraction of the largest distance below which closer pairs count no more (Yuksel's weight
+/// limiting).
 pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Vec<bool> {
     let count = neighbours.starts.len() - 1;
-    let share = |distance: f32| {
+    let fraction = |distance: f32| {
         let free = (1.0 - f64::from(distance).max(least)).max(0.0);
         // The eighth power.
         let square = free * free;
         let eighth = (square * square) * (square * square);
-        // Where no neighbours are to be left, whoever has most of them goes first: a tenth more stay than by nearness.
+        // If no neighbours may remain, the candidate with the most of them goes first: a tenth more stay than by distance.
         if until == Until::Apart { 1.0 + 1e-3 * eighth } else { eighth }
     };
-    let mut weights: Vec<f64> = (0..count).map(|index| neighbours.of(index).iter().map(|(_, d)| share(*d)).sum()).collect();
+    let mut weights: Vec<f64> = (0..count).map(|index| neighbours.of(index).iter().map(|(_, d)| fraction(*d)).sum()).collect();
     let mut crowding: Vec<u32> = (0..count).map(|index| neighbours.of(index).len() as u32).collect();
     let mut heap: BinaryHeap<Crowded> =
         weights.iter().enumerate().map(|(index, weight)| Crowded { weight: *weight, index: index as u32 }).collect();
@@ -93,7 +94,7 @@ pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Ve
     while left > wanted {
         let Some(mut most) = heap.peek_mut() else { break };
         let at = most.index as usize;
-        // Weights only fall: an entry is at least what its candidate weighs now, and is put right when it comes to the top.
+        // Weights only fall: an entry is at least its candidate's current weight, and is corrected when it comes to the top.
         if most.weight != weights[at] {
             most.weight = weights[at];
             continue;
@@ -109,7 +110,7 @@ pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Ve
             let other = *other as usize;
             crowding[other] -= 1;
             if stays[other] {
-                let less = if crowding[other] == 0 { 0.0 } else { weights[other] - share(*distance) };
+                let less = if crowding[other] == 0 { 0.0 } else { weights[other] - fraction(*distance) };
                 weights[other] = less.min(weights[other]);
             }
         }

@@ -1,4 +1,4 @@
-//! Follicles' frames on a scalp as it is at the moment.
+//! Frames of follicles on the current scalp.
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
@@ -15,7 +15,8 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// Of a mesh at one moment: sums over the triangles around a vertex, each weighted by its angle there (Thürmer and Wüthrich 1998).
+    /// Sums over the triangles around each vertex of the current mesh, each weighted by its angle there (Thürmer and Wüthrich
+    /// 1998).
     pub fn new(scalp: &Scalp, vertices: &[Vector3<f64>]) -> Self {
         let mut field =
             Self { normals: vec![Vector3::zeros(); vertices.len()], tangents: vec![Vector3::zeros(); vertices.len()] };
@@ -62,29 +63,30 @@ impl Field {
 }
 
 impl Scalp {
-    /// The direction on a triangle in which the coordinate along grows, of length one; zero where there is none.
+    /// The unit direction on a triangle in which the coordinate along grows; zero if there is none.
     fn direction(&self, triangle: usize, corners: &[Vector3<f64>; 3], normal: &Vector3<f64>) -> Vector3<f64> {
         let (e1, e2) = (corners[1] - corners[0], corners[2] - corners[0]);
         let u = self.along[triangle];
         let (u1, u2) = (u[1] - u[0], u[2] - u[0]);
         let direction = match self.across.get(triangle) {
-            // dp/du: where the other coordinate stays.
+            // dp/du: the direction in which the other coordinate stays the same.
             Some(v) => {
                 let (v1, v2) = (v[1] - v[0], v[2] - v[0]);
                 let turn = u1 * v2 - u2 * v1;
                 (e1 * v2 - e2 * v1) * if turn == 0.0 { 0.0 } else { turn.signum() }
             }
-            // The way in which it grows fastest.
+            // The direction in which it grows fastest.
             None => normal.cross(&(e1 * u2 - e2 * u1)),
         };
         direction.try_normalize(0.0).unwrap_or_default()
     }
 
-    /// The frames of follicles on the scalp as it is now: `vertices` in the number and order of those at rest, m. n0 is the normal, n1 the
-    /// direction of u (or of the axis that the scalp was made with), both smooth over the mesh where they are smooth at its vertices.
+    /// The frames of follicles on the current scalp: `vertices` have the number and order of those at rest, m. n0 is the normal,
+    /// n1 the direction of u (or of the scalp's reference axis), both as smooth over the mesh as at its vertices.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for another number of vertices, numbers that are not finite, follicles that are not on the scalp.
+    /// [`Error::InvalidArgument`] for another number of vertices, numbers that are not finite, follicles that are not on the
+    /// scalp.
     pub fn frames(&self, vertices: &[Vector3<f64>], follicles: &[Follicle]) -> Result<Vec<Frame>> {
         if vertices.len() != self.vertices.len() {
             return Err(Error::invalid("vertices (count)", vertices.len(), format!("{}, as at rest", self.vertices.len())));

@@ -1,9 +1,9 @@
-//! Follicles scattered over a scalp: blue noise, as dense as a map says.
+//! Scatters follicles over a scalp as blue noise of a given density.
 //!
-//! The distance of two places is their straight distance d, made longer by how the scalp's normals n₁, n₂ turn along the way v between them
-//! (Bowers, Wang, Wei and Maletz 2010): d (asin c₁ − asin c₂)/(c₁ − c₂), cᵢ = nᵢ·v; on a sphere that is the length of the arc. Places whose
-//! normals are more than a right angle apart (the two sides of an ear) are not near each other. Where the density is ρ, as a share of the
-//! largest, distances count times √ρ, that of the denser place of the two.
+//! The distance of two places is their straight distance d, lengthened by how the scalp's normals n₁, n₂ turn along the direction
+//! v between them (Bowers, Wang, Wei and Maletz 2010): d (asin c₁ − asin c₂)/(c₁ − c₂), cᵢ = nᵢ·v; on a sphere that is the length
+//! of the arc. Places whose normals are more than a right angle apart (the two sides of an ear) are not neighbours. With a
+//! density of ρ, relative to the largest, distances count times √ρ of the denser place of the two.
 
 use nalgebra::Vector3;
 
@@ -16,11 +16,11 @@ use crate::math::point_tree::PointTree;
 use crate::math::random::Seeded;
 use crate::math::rotation::arc_tangent;
 
-/// Most follicles of a call.
+/// Most follicles per call.
 pub const MOST_FOLLICLES: usize = 10_000_000;
-/// Candidates for each follicle.
+/// Candidates per follicle.
 const CANDIDATES: f64 = 5.0;
-/// Tries for each candidate before the density is given up.
+/// Attempts per candidate before the density is rejected.
 const TRIES: u64 = 2000;
 /// Yuksel's limit of weights: r_min = β r_max (1 − (N/M)^γ).
 const BETA: f64 = 0.65;
@@ -28,13 +28,13 @@ const BETA: f64 = 0.65;
 /// How many follicles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Amount {
-    /// That many, as far from each other as they come.
+    /// This many, as far from each other as possible.
     Count(usize),
-    /// As many as fit (of those tried) without two being nearer to each other than this, m; where the density is lower, farther.
+    /// As many as fit (of those tried) without two being closer to each other than this, m; farther where the density is lower.
     Spacing(f64),
 }
 
-/// How follicles are scattered.
+/// Options of scattering.
 ///
 /// ```
 /// use superhelix::hair::{Amount, Density, Scalp, ScatterOptions};
@@ -53,7 +53,7 @@ pub enum Amount {
 pub struct ScatterOptions {
     /// How many.
     pub amount: Amount,
-    /// How densely, relative to each other.
+    /// Relative density.
     pub density: Density,
     /// Seed.
     pub seed: u64,
@@ -62,14 +62,14 @@ pub struct ScatterOptions {
 /// Scattered follicles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scattered {
-    /// In no order.
+    /// In no particular order.
     pub follicles: Vec<Follicle>,
-    /// The least distance of two of them, in the measure of this module (where the density is the largest: the distance along the scalp), m;
-    /// infinite where no two are near each other.
+    /// The least distance of two of them, in this module's measure (where the density is the largest: the distance along the
+    /// scalp), m; infinite if no two are neighbours.
     pub least_distance: f64,
 }
 
-/// The lower 21 bits, each with two zeros above it: three such numbers make a Morton code.
+/// The lower 21 bits, each followed by two zeros: three such numbers make a Morton code.
 fn spread(number: u64) -> u64 {
     let mut bits = number & 0x1f_ffff;
     for (shift, mask) in [
@@ -84,16 +84,16 @@ fn spread(number: u64) -> u64 {
     bits
 }
 
-/// Candidates and what their distances are told by.
+/// Candidates, and the data for their distances.
 struct Candidates {
     follicles: Vec<Follicle>,
     places: Vec<Vector3<f64>>,
     normals: Vec<Vector3<f64>>,
     /// √ρ.
     roots: Vec<f64>,
-    /// Which each was when it was made.
+    /// The original index of each.
     numbers: Vec<u32>,
-    /// The share of random places that the density let pass.
+    /// The fraction of random places that the density accepted.
     passed: f64,
 }
 
@@ -118,7 +118,7 @@ impl Candidates {
         };
         let mut tries = 0;
         while made.follicles.len() < count {
-            // Where nothing has been found, no more tries are made for many follicles than for few.
+            // If nothing is found, no more attempts are made for many follicles than for few.
             let wanted = if made.follicles.is_empty() { 0 } else { count as u64 };
             if tries >= TRIES * (wanted + 100) {
                 let value = format!("above zero on less than {:.0e} of the scalp", 1.0 / TRIES as f64);
@@ -130,13 +130,13 @@ impl Candidates {
             // Uniform over the triangle (Turk 1990).
             let root = first.sqrt();
             let follicle = Follicle { triangle: triangle as u32, shares: [root * (1.0 - second), root * second] };
-            let share = density.at(scalp, &follicle) / most;
-            if share <= chance {
+            let fraction = density.at(scalp, &follicle) / most;
+            if fraction <= chance {
                 continue;
             }
             made.places.push(scalp.place(&follicle));
             made.normals.push(field.normal(scalp, &scalp.vertices, &follicle));
-            made.roots.push(share.sqrt());
+            made.roots.push(fraction.sqrt());
             made.numbers.push(made.follicles.len() as u32);
             made.follicles.push(follicle);
         }
@@ -146,7 +146,7 @@ impl Candidates {
         Ok(made.near_by_near())
     }
 
-    /// Sorted so that what is near each other on the scalp is so in memory: who is near whom is far larger than the caches.
+    /// Sorted so that neighbours on the scalp are neighbours in memory: the neighbour lists are far larger than the caches.
     fn near_by_near(&self) -> Self {
         let mut low = Vector3::repeat(f64::INFINITY);
         let mut high = -low;
@@ -162,7 +162,7 @@ impl Candidates {
         self.these(&order)
     }
 
-    /// Some of them, in that order.
+    /// Some of them, in this order.
     fn these(&self, indices: &[usize]) -> Self {
         fn of<T: Copy>(list: &[T], indices: &[usize]) -> Vec<T> {
             indices.iter().map(|index| list[*index]).collect()
@@ -183,24 +183,24 @@ impl Candidates {
         self.these(&indices)
     }
 
-    /// The distance of two candidates along the scalp; none where they are on different sides of it.
+    /// The distance of two candidates along the scalp; `None` if they are on different sides of it.
     fn distance(&self, a: usize, b: usize) -> Option<f64> {
         if self.normals[a].dot(&self.normals[b]) < 0.0 {
             return None;
         }
-        let way = self.places[b] - self.places[a];
-        let straight = way.norm();
+        let offset = self.places[b] - self.places[a];
+        let straight = offset.norm();
         if straight <= 0.0 {
             return Some(0.0);
         }
-        let [c1, c2] = [a, b].map(|index| (self.normals[index].dot(&way) / straight).clamp(-1.0, 1.0));
+        let [c1, c2] = [a, b].map(|index| (self.normals[index].dot(&offset) / straight).clamp(-1.0, 1.0));
         let cosine = |sine: f64| (1.0 - sine * sine).max(0.0).sqrt();
         let arc_sine = |sine: f64| {
             let angle = arc_tangent(sine.abs(), cosine(sine));
             if sine < 0.0 { -angle } else { angle }
         };
         let factor = if (c1 - c2).abs() < 1e-4 {
-            // The limit, for a way that keeps its slope.
+            // The limit for a path of constant slope.
             1.0 / cosine(0.5 * (c1 + c2)).max(1e-3)
         } else {
             (arc_sine(c1) - arc_sine(c2)) / (c1 - c2)
@@ -208,7 +208,7 @@ impl Candidates {
         Some(straight * factor)
     }
 
-    /// All pairs that are nearer than `reach` in the measure of densities, with their distances as shares of it.
+    /// All pairs closer than `reach` in the measure of densities, with their distances relative to it.
     fn pairs(&self, reach: f64) -> Vec<(u32, u32, f32)> {
         let tree = PointTree::new(&self.places);
         let mut pairs = Vec::new();
@@ -232,12 +232,12 @@ impl Candidates {
 }
 
 impl Scalp {
-    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 20 µs a follicle, 30 µs of a
-    /// hundred and fifty thousand or with a spacing.
+    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 20 µs per follicle, 30 µs
+    /// for a hundred and fifty thousand or with a spacing.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a density that does not fit the scalp, is negative or zero nearly everywhere, a spacing that is not
-    /// above zero, or more than [`MOST_FOLLICLES`].
+    /// [`Error::InvalidArgument`] for a density that does not match the scalp, is negative, or is zero nearly everywhere; a
+    /// spacing that is not above zero; or more than [`MOST_FOLLICLES`].
     pub fn scatter(&self, options: &ScatterOptions) -> Result<Scattered> {
         options.density.check(self)?;
         let area = self.area();
@@ -272,7 +272,7 @@ impl Scalp {
         let stays = survivors(&Neighbours::new(candidates.follicles.len(), &pairs), until, least);
         debug_assert!(wanted == 0 || stays.iter().filter(|stays| **stays).count() == wanted);
         let left = candidates.only(&stays);
-        // Those that are left may be farther apart than what counted for their choice.
+        // The remaining ones may be farther apart than the distances that decided.
         let reach = 2.0 * reach;
         let nearest = left.pairs(reach).iter().map(|(_, _, distance)| f64::from(*distance)).fold(f64::INFINITY, f64::min);
         let least_distance = if nearest.is_finite() { nearest * reach } else { f64::INFINITY };

@@ -1,4 +1,4 @@
-//! Follicles by texture coordinates.
+//! Places follicles by texture coordinates.
 
 use std::ops::RangeInclusive;
 
@@ -6,12 +6,12 @@ use super::{BORDER, Follicle, Scalp};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::random::Seeded;
 
-/// Triangles a cell of the grid, about.
+/// Approximate number of triangles per cell of the grid.
 const CROWD: usize = 2;
-/// Tries to offset a follicle without leaving the scalp, each half as far as the one before.
+/// Attempts to offset a follicle without leaving the scalp, each half as far as the one before.
 const TRIES: u32 = 8;
 
-/// Random offsets in texture coordinates, against rows that show (Bergbom 2007, section 5.4.1: a regular layout looks like "Manhattan").
+/// Random offsets in texture coordinates, which hide rows (Bergbom 2007, section 5.4.1: a regular layout looks like "Manhattan").
 ///
 /// ```
 /// use superhelix::hair::{Jitter, Scalp};
@@ -26,19 +26,19 @@ const TRIES: u32 = 8;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Jitter {
-    /// The largest offset in u and in v; 0: none.
+    /// The largest offset in u and in v; 0 for none.
     pub amplitude: f64,
     /// Seed.
     pub seed: u64,
 }
 
-/// Triangles over the texture plane, found by a grid.
+/// Triangles over the texture plane, in a search grid.
 struct Atlas<'a> {
     uvs: &'a [[[f64; 2]; 3]],
     low: [f64; 2],
     cell: [f64; 2],
     cells: [usize; 2],
-    /// Where each cell's list begins.
+    /// The start of each cell's list.
     starts: Vec<usize>,
     list: Vec<u32>,
 }
@@ -84,7 +84,7 @@ impl<'a> Atlas<'a> {
         atlas
     }
 
-    /// The cells along an axis that a triangle may lie in.
+    /// The cells along an axis that a triangle may overlap.
     fn range(&self, axis: usize, corners: &[[f64; 2]; 3]) -> RangeInclusive<usize> {
         let values = corners.map(|uv| uv[axis]);
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -95,11 +95,11 @@ impl<'a> Atlas<'a> {
     }
 
     fn column(&self, axis: usize, value: f64) -> usize {
-        // Outside is held at the border; a number that is not one does not come here.
+        // Clamped to the border; NaN does not get here.
         (((value - self.low[axis]) / self.cell[axis]).max(0.0) as usize).min(self.cells[axis] - 1)
     }
 
-    /// The place with those coordinates: of several (a texture that overlaps itself) that of the first triangle.
+    /// The place with these coordinates; if there are several (an overlapping texture), that of the first triangle.
     fn find(&self, uv: [f64; 2]) -> Option<Follicle> {
         let at = self.column(1, uv[1]) * self.cells[0] + self.column(0, uv[0]);
         let mut found: Option<u32> = None;
@@ -125,10 +125,11 @@ impl<'a> Atlas<'a> {
 }
 
 impl Scalp {
-    /// The follicles at given texture coordinates, each first offset at random by up to `jitter` (where that would leave the scalp, by less).
+    /// The follicles at given texture coordinates, each first offset at random by up to `jitter` (or by less where that would
+    /// leave the scalp).
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a scalp without texture coordinates, numbers that are not finite, coordinates at which there is no
+    /// [`Error::InvalidArgument`] for a scalp without texture coordinates, numbers that are not finite, or coordinates without a
     /// triangle, naming the first.
     pub fn follicles_at(&self, uvs: &[[f64; 2]], jitter: Jitter) -> Result<Vec<Follicle>> {
         let Some(own) = &self.uvs else {
@@ -147,7 +148,7 @@ impl Scalp {
             })?;
             let offset = numbers.map(|numbers| jitter.amplitude * (2.0 * numbers.unit(index as u64) - 1.0));
             let offsets = (0..TRIES).map(|k| 0.5_f64.powi(k as i32)).take_while(|_| jitter.amplitude > 0.0);
-            let mut tries = offsets.filter_map(|share| atlas.find([0, 1].map(|axis| uv[axis] + share * offset[axis])));
+            let mut tries = offsets.filter_map(|fraction| atlas.find([0, 1].map(|axis| uv[axis] + fraction * offset[axis])));
             follicles.push(tries.next().unwrap_or(there));
         }
         Ok(follicles)

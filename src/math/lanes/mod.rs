@@ -1,15 +1,15 @@
-//! Packed numbers: one register of the machine's vector unit, by its instructions. Which of them a program may use is asked once, at run
-//! time; see [`InstructionSet`].
+//! Packed numbers: one register of the machine's vector unit. The available instructions are detected once, at run time: see
+//! [`InstructionSet`].
 //!
-//! A value of a type here must only come to be on a machine that has its instructions: so the types do not leave the crate, and whoever
-//! uses one goes by [`InstructionSet::detected`].
+//! A value of these types may only exist on a machine that has its instructions. Hence the types do not leave the crate, and
+//! users go by [`InstructionSet::detected`].
 //!
 //! Files:
 //!
-//! - `neon.rs`: Packed numbers by NEON, which every AArch64 has.
-//! - `register.rs`: What packed types have in common, whatever the instructions.
+//! - `neon.rs`: Packed numbers by NEON, which every AArch64 has. `register` says why the unsafe blocks here are safe.
+//! - `register.rs`: What all packed types share, whatever their instructions.
 //! - `simd128.rs`: Packed numbers by WebAssembly's 128-bit vectors.
-//! - `x86.rs`: Packed numbers by SSE2, AVX2 and AVX-512.
+//! - `x86.rs`: Packed numbers by SSE2, AVX2 and AVX-512. `register` says why the unsafe blocks here are safe.
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 #[macro_use]
@@ -31,9 +31,9 @@ pub(crate) use x86::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 
 use super::lane::Kernel;
 
-/// Runs a kernel for one strand, or for what several touch, as a function of its own: inlined wherever it is called, it would be compiled many times
-/// over. Compiled twice, since AVX2 encodes the same operations in fewer instructions, and two or three numbers that are treated alike go side by
-/// side. (AVX2 or not is no choice here: the bits are the same.)
+/// Runs a kernel for one strand, or for several in contact, as a function of its own: inlined at every call it would be compiled
+/// many times over. It is compiled twice, since AVX2 encodes the same operations in fewer instructions and packs two or three
+/// numbers treated alike. (Both give the same bits.)
 #[inline(always)]
 pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
@@ -53,7 +53,8 @@ pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
 pub enum InstructionSet {
     /// None: strands go one by one.
     Scalar = 1,
-    /// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64, SIMD128 on WebAssembly; 2 lanes of f64, 4 of f32. Elsewhere as `Scalar`.
+    /// What every machine of the architecture has: SSE2 on x86-64, NEON on AArch64, SIMD128 on WebAssembly; 2 lanes of f64, 4 of
+    /// f32. Elsewhere the same as `Scalar`.
     Baseline = 2,
     /// AVX2: 4 lanes of f64, 8 of f32.
     Avx2 = 3,
@@ -62,7 +63,7 @@ pub enum InstructionSet {
 }
 
 impl InstructionSet {
-    /// The best that this machine has.
+    /// The best set of this machine.
     pub fn detected() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
@@ -80,12 +81,12 @@ impl InstructionSet {
         }
     }
 
-    /// The set of that number, as the C ABI has it.
+    /// The set of a number of the C ABI.
     pub fn from_u32(value: u32) -> Option<Self> {
         [Self::Scalar, Self::Baseline, Self::Avx2, Self::Avx512].into_iter().find(|candidate| *candidate as u32 == value)
     }
 
-    /// Its name, as the command line has it.
+    /// Its name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Scalar => "scalar",

@@ -1,11 +1,11 @@
-//! Packed numbers by NEON, which every AArch64 has. Why the blocks here are safe is told in `register`.
+//! Packed numbers by NEON, which every AArch64 has. `register` says why the unsafe blocks here are safe.
 #![allow(unsafe_code)]
 
 use std::arch::aarch64::*;
 
 use crate::math::lane::{Kernel, Lane, Precision};
 
-/// A packed type: its name, register, scalar, lanes, precision and mask, and its instructions; the last is the scalar of the mask.
+/// Defines a packed type: its name, register, scalar, lanes, precision, mask and instructions; the last is the mask's scalar.
 macro_rules! packed {
     (
         $(#[$doc:meta])* $name:ident($register:ty), $scalar:ty, $lanes:literal, $precision:ident, $mask:ty,

@@ -1,11 +1,11 @@
-//! What packed types have in common, whatever the instructions.
+//! What all packed types share, whatever their instructions.
 
-/// A packed type: its name, register, scalar, lanes and precision, the intrinsics of its arithmetic, how it is negated, and the rest of
-/// its [`Lane`](crate::math::lane::Lane): masks and calls, which every kind of instructions has in its own way.
+/// Defines a packed type: its name, register, scalar, lanes and precision, the intrinsics of its arithmetic, its negation, and
+/// the rest of its [`Lane`](crate::math::lane::Lane): masks and calls, which differ between instruction sets.
 ///
-/// Safety of all blocks here and of those handed in: an intrinsic needs its instructions and nothing else, and values of these types are
-/// only made where they were detected (see the module); pointers are to the value itself, which is as large and aligned as the array that
-/// it is read as.
+/// Safety of all blocks here and of those passed in: an intrinsic needs its instructions and nothing else, and values of these
+/// types are only made where those were detected (see the module). Pointers go to the value itself, which has the size and
+/// alignment of the array that it is read as.
 macro_rules! register {
     (
         $(#[$doc:meta])* $name:ident($register:ty), $scalar:ty, $lanes:literal, $precision:ident,
@@ -28,7 +28,7 @@ macro_rules! register {
             #[inline(always)]
             fn neg(self) -> Self {
                 let $x = self.0;
-                // SAFETY: see the macro's head.
+                // SAFETY: see the macro's comment.
                 unsafe { Self($negate) }
             }
         }
@@ -45,7 +45,7 @@ macro_rules! register {
             }
         }
 
-        // SAFETY of every block: see the macro's head.
+        // SAFETY of every block: see the macro's comment.
         impl Lane for $name {
             const LANES: usize = $lanes;
             const PRECISION: Precision = Precision::$precision;
@@ -76,7 +76,7 @@ macro_rules! register {
             type Output = Self;
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
-                // SAFETY: see the macro's head.
+                // SAFETY: see the macro's comment.
                 unsafe { Self($intrinsic(self.0, other.0)) }
             }
         }

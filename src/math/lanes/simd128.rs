@@ -1,5 +1,7 @@
-//! Packed numbers by WebAssembly's 128-bit vectors. A module cannot ask what its engine has: one with these instructions in it runs where there
-//! are some, which is every browser since 2023 and every node since 16. Why the blocks here are safe is told in `register`.
+//! Packed numbers by WebAssembly's 128-bit vectors.
+//!
+//! A module cannot detect its engine's features: one with these instructions runs only where they exist, which is every browser
+//! since 2023 and every node since 16. `register` says why the unsafe blocks here are safe.
 #![allow(unsafe_code)]
 #![allow(unused_unsafe, reason = "needed unless the whole crate is compiled for simd128")]
 
@@ -7,7 +9,7 @@ use std::arch::wasm32::*;
 
 use crate::math::lane::{Kernel, Lane, Precision};
 
-/// A packed type: its name, scalar, lanes, precision, and its instructions; the last is the scalar of the mask.
+/// Defines a packed type: its name, scalar, lanes, precision and instructions; the last is the mask's scalar.
 macro_rules! packed {
     (
         $(#[$doc:meta])* $name:ident, $scalar:ty, $lanes:literal, $precision:ident,

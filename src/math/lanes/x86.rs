@@ -1,4 +1,4 @@
-//! Packed numbers by SSE2, AVX2 and AVX-512. Why the blocks here are safe is told in `register`.
+//! Packed numbers by SSE2, AVX2 and AVX-512. `register` says why the unsafe blocks here are safe.
 #![allow(unsafe_code)]
 
 use std::arch::x86_64::*;
@@ -16,7 +16,7 @@ pub(super) fn has_avx512() -> bool {
         && std::arch::is_x86_feature_detected!("avx512vl")
 }
 
-/// See [`super::call_scalar`]; for machines that have AVX2.
+/// See [`super::call_scalar`]; for machines with AVX2.
 #[inline(always)]
 pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
     #[target_feature(enable = "avx2")]
@@ -27,7 +27,7 @@ pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
     unsafe { with(kernel) }
 }
 
-/// A packed type: its name, register, scalar, lanes, precision, features, instructions, and what is particular to its masks.
+/// Defines a packed type: its name, register, scalar, lanes, precision, features, instructions, and the operations of its masks.
 macro_rules! packed {
     (
         $(#[$doc:meta])* $name:ident($register:ty), $scalar:ty, $lanes:literal, $precision:ident, $features:literal,
@@ -151,7 +151,7 @@ packed!(
 mod tests {
     use super::*;
 
-    /// Every operation of a type against the scalar one, to the bit.
+    /// Compares every operation of a type with the scalar one, to the bit.
     fn check<T: Lane, S: Lane>() {
         struct All<T, S>(std::marker::PhantomData<(T, S)>);
         impl<T: Lane, S: Lane> Kernel for All<T, S> {
@@ -202,7 +202,7 @@ mod tests {
                     assert_eq!(T::any(a.less(b)), bits != 0);
                     assert!(T::all(T::splat_mask(true)) && !T::any(T::splat_mask(false)));
                 }
-                // Nothing is less than what is not a number.
+                // Comparisons with NaN are false.
                 assert!(!T::any(T::splat(f64::NAN).less(T::one())) && !T::any(T::one().less(T::splat(f64::NAN))));
             }
         }
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn every_width_computes_what_the_scalar_does() {
+    fn every_width_computes_the_same_as_the_scalar() {
         check::<F64x2, f64>();
         check::<F32x4, f32>();
         if has_avx2() {

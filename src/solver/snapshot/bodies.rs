@@ -1,4 +1,4 @@
-//! Bodies: shapes (each once, however many bodies share it), where they are and how they move.
+//! Bodies in a snapshot: shapes (each once, however many bodies share it), poses and motions.
 
 use std::sync::Arc;
 
@@ -14,11 +14,11 @@ use crate::solver::bodies::SceneBody;
 use crate::solver::id::{BodyId, SlotMap};
 use crate::solver::report::Wrench;
 
-/// Stands for a shape that is kept elsewhere, by its content's hash.
+/// Marks a shape that is stored elsewhere, by its content's hash.
 const REFERENCE: u32 = 9;
 
 impl Writer {
-    /// All bodies, shapes that stay as they are as `shapes` says; `id` writes what stands at the end of each.
+    /// All bodies, with static shapes as `shapes` says; `id` writes the end of each.
     pub fn bodies(&mut self, bodies: &[SceneBody], shapes: SnapshotShapes, id: impl Fn(&mut Self, &SceneBody)) {
         let mut owners: Vec<&SceneBody> = Vec::new();
         let mut known = std::collections::HashMap::new();
@@ -61,7 +61,7 @@ impl Writer {
         self.f64(def.viscous_friction);
         self.u32(def.group);
         self.u32(def.mask);
-        self.way(body.way.going.as_ref());
+        self.pose_move(body.way.going.as_ref());
         self.flag(body.bending.is_some());
         if let Some(bending) = body.bending.as_deref() {
             self.vectors(&bending.from);
@@ -135,7 +135,7 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// All bodies; `slots` are their identifiers', `find` finds shapes that are kept elsewhere.
+    /// All bodies; `slots` are their identifiers', `find` finds shapes stored elsewhere.
     pub fn bodies(&mut self, slots: &SlotMap<BodyId>, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<Vec<SceneBody>> {
         let shapes = (0..self.count(4 + 8)?).map(|_| self.owned_shape(find)).collect::<Result<Vec<_>>>()?;
         let count = self.count(4 + 7 * 8)?;
@@ -149,7 +149,7 @@ impl Reader<'_> {
                 let body = SceneBody { wrench, ..SceneBody::new(self.id("body", slots, index)?, body) };
                 let deforms = self.flag()?;
                 if deforms && body.body.def().shape.mesh().is_none() {
-                    return Err(bad("a body deforms that is no mesh"));
+                    return Err(bad("a body deforms that is not a mesh"));
                 }
                 if let Some(content) = content.filter(|_| !deforms) {
                     body.content.get_or_init(|| content);
@@ -172,9 +172,9 @@ impl Reader<'_> {
         let vertices = def.shape.mesh().map(|mesh| mesh.vertices().len());
         let deforms = matches!(def.shape.parts(), Parts::Mesh(_));
         let mut body = Body::new(def).map_err(|error| of_part("a body", &error))?;
-        body.way.going = self.finite_way("a body's way")?;
+        body.way.going = self.finite_pose_move("a body's motion")?;
         if self.flag()? {
-            let count = vertices.filter(|_| deforms).ok_or_else(|| bad("a body deforms that is no mesh"))?;
+            let count = vertices.filter(|_| deforms).ok_or_else(|| bad("a body deforms that is not a mesh"))?;
             let (from, to) = (self.finite_vectors(count)?, self.finite_vectors(count)?);
             let (duration, elapsed) = (self.finite("a deformation")?, self.finite("a deformation")?);
             if duration < 0.0 || elapsed < 0.0 {
@@ -185,7 +185,7 @@ impl Reader<'_> {
         Ok((body, Wrench { force: self.vector()?, torque: self.vector()? }))
     }
 
-    /// A shape, and its content's hash where that is known.
+    /// A shape, and its content's hash if known.
     fn owned_shape(&mut self, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<(Arc<Shape>, Option<u128>)> {
         match self.u32()? {
             REFERENCE => {
@@ -196,7 +196,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A shape that is written whole.
+    /// A shape stored in full.
     pub fn shape(&mut self) -> Result<Shape> {
         let sort = self.u32()?;
         self.shape_of_sort(sort)
@@ -218,7 +218,7 @@ impl Reader<'_> {
                 let count = self.count(1)?;
                 distance_grid::read_from_bytes("a distance grid", self.bytes(count)?).map(Shape::new_grid)
             }
-            other => return Err(bad(format!("a shape is of sort {other}"))),
+            other => return Err(bad(format!("a shape has type {other}"))),
         };
         shape.map_err(|error| of_part("a shape", &error))
     }

@@ -1,4 +1,4 @@
-//! Numbers into bytes and back: little-endian, every length checked against what is left before memory is taken.
+//! Numbers to bytes and back: little-endian, every length checked against the remaining bytes before allocation.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -12,20 +12,20 @@ pub fn bad(reason: impl Into<String>) -> Error {
     Error::Snapshot { reason: reason.into() }
 }
 
-/// An error of something that an image holds.
+/// An error in a part of an image.
 pub fn of_part(part: &str, error: &Error) -> Error {
     bad(format!("{part}: {error}"))
 }
 
-/// Where numbers go.
+/// The destination of numbers.
 pub enum Sink {
     /// Into an image.
     Bytes(Vec<u8>),
-    /// Nowhere: their bytes are counted.
+    /// Nowhere: only counts bytes.
     Count(usize),
-    /// Into a hash of 64 bits, see [`fnv1a`].
+    /// Into a 64-bit hash: see [`fnv1a`].
     Hash(u64),
-    /// Into one of 128 bits, by which contents are told apart.
+    /// Into a 128-bit hash, which identifies contents.
     Content(u128),
 }
 
@@ -33,18 +33,18 @@ pub enum Sink {
 pub const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 const CONTENT_START: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
 
-/// FNV-1a, 64 bits, gone on with.
+/// FNV-1a, 64 bits, continued.
 pub fn fnv1a(start: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(start, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-/// FNV-1a, 128 bits, gone on with.
+/// FNV-1a, 128 bits, continued.
 fn fnv1a_128(start: u128, bytes: &[u8]) -> u128 {
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
     bytes.iter().fold(start, |hash, byte| (hash ^ u128::from(*byte)).wrapping_mul(PRIME))
 }
 
-/// The hash of a content.
+/// The hash of contents.
 pub fn content_hash(bytes: &[u8]) -> u128 {
     fnv1a_128(CONTENT_START, bytes)
 }
@@ -71,7 +71,7 @@ impl Writer {
         Self { sink: Sink::Content(CONTENT_START) }
     }
 
-    /// How many bytes were written, where they are kept or counted.
+    /// The number of bytes written, if they are kept or counted.
     pub fn size(&self) -> usize {
         match &self.sink {
             Sink::Bytes(bytes) => bytes.len(),
@@ -80,7 +80,7 @@ impl Writer {
         }
     }
 
-    /// What was written.
+    /// The bytes written.
     pub fn finished(self) -> Vec<u8> {
         match self.sink {
             Sink::Bytes(bytes) => bytes,
@@ -88,7 +88,7 @@ impl Writer {
         }
     }
 
-    /// The hash of 64 bits.
+    /// The 64-bit hash.
     pub fn hash(&self) -> u64 {
         match self.sink {
             Sink::Hash(hash) => hash,
@@ -96,7 +96,7 @@ impl Writer {
         }
     }
 
-    /// The hash of 128 bits.
+    /// The 128-bit hash.
     pub fn content_hash(&self) -> u128 {
         match self.sink {
             Sink::Content(hash) => hash,
@@ -113,7 +113,7 @@ impl Writer {
         }
     }
 
-    /// Counts bytes that are not made when only their number is asked for; says whether it is.
+    /// Adds to the count without making the bytes, if only their number is wanted; returns whether that is so.
     pub fn only_counts(&mut self, bytes: usize) -> bool {
         match &mut self.sink {
             Sink::Count(count) => {
@@ -156,20 +156,20 @@ impl Writer {
         vectors.iter().for_each(|v| self.vector(*v));
     }
 
-    /// A way from pose to pose, and how many seconds of it are done.
-    pub fn way(&mut self, way: Option<&(PoseMove, f64)>) {
-        self.flag(way.is_some());
-        if let Some((way, elapsed)) = way {
-            self.frame(&way.from);
-            self.frame(&way.to);
-            self.vector(way.velocity);
-            self.vector(way.angular_velocity);
-            self.f64(way.duration);
+    /// A motion from pose to pose, and its elapsed seconds.
+    pub fn pose_move(&mut self, pose_move: Option<&(PoseMove, f64)>) {
+        self.flag(pose_move.is_some());
+        if let Some((pose_move, elapsed)) = pose_move {
+            self.frame(&pose_move.from);
+            self.frame(&pose_move.to);
+            self.vector(pose_move.velocity);
+            self.vector(pose_move.angular_velocity);
+            self.f64(pose_move.duration);
             self.f64(*elapsed);
         }
     }
 
-    /// The identifiers of a sort.
+    /// The identifiers of a type.
     pub fn slots<I>(&mut self, slots: &SlotMap<I>) {
         self.u32(u32::from(slots.mark));
         self.u64(slots.slots.len() as u64);
@@ -231,7 +231,7 @@ impl<'a> Reader<'a> {
     pub fn rows(&mut self, count: usize) -> Result<Vec<[f64; 3]>> {
         (0..count).map(|_| Ok([self.f64()?, self.f64()?, self.f64()?])).collect()
     }
-    /// So many bytes.
+    /// The next `count` bytes.
     pub fn bytes(&mut self, count: usize) -> Result<&'a [u8]> {
         let Some((head, tail)) = self.left.split_at_checked(count) else {
             return Err(bad("its body ends early"));
@@ -250,30 +250,30 @@ impl<'a> Reader<'a> {
     pub fn finite_frame(&mut self, what: &str) -> Result<Frame> {
         let frame = self.frame()?;
         let unit = (frame.rotation.quaternion().norm() - 1.0).abs() <= 1e-9;
-        if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is no pose"))) }
+        if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is not a pose"))) }
     }
 
-    /// A way from pose to pose, and how many seconds of it are done.
-    pub fn way(&mut self) -> Result<Option<(PoseMove, f64)>> {
+    /// A motion from pose to pose, and its elapsed seconds.
+    pub fn pose_move(&mut self) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
         }
-        let way = PoseMove {
+        let pose_move = PoseMove {
             from: self.frame()?,
             to: self.frame()?,
             velocity: self.vector()?,
             angular_velocity: self.vector()?,
             duration: self.f64()?,
         };
-        Ok(Some((way, self.f64()?)))
+        Ok(Some((pose_move, self.f64()?)))
     }
 
-    /// [`Reader::way`] of which every number is one.
-    pub fn finite_way(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
+    /// [`Reader::pose_move`] with finite numbers only.
+    pub fn finite_pose_move(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
         }
-        let way = PoseMove {
+        let pose_move = PoseMove {
             from: self.finite_frame(what)?,
             to: self.finite_frame(what)?,
             velocity: self.finite_vector(what)?,
@@ -281,13 +281,13 @@ impl<'a> Reader<'a> {
             duration: self.finite(what)?,
         };
         let elapsed = self.finite(what)?;
-        if way.duration < 0.0 || elapsed < 0.0 {
-            return Err(bad(format!("{what} takes {} s, of which {elapsed} are done", way.duration)));
+        if pose_move.duration < 0.0 || elapsed < 0.0 {
+            return Err(bad(format!("{what} takes {} s, of which {elapsed} are done", pose_move.duration)));
         }
-        Ok(Some((way, elapsed)))
+        Ok(Some((pose_move, elapsed)))
     }
 
-    /// The identifiers of a sort.
+    /// The identifiers of a type.
     pub fn slots<I: Identifier>(&mut self) -> Result<SlotMap<I>> {
         let mark = self.u32()? as u16;
         let slot_count = self.count(12)?;
@@ -300,14 +300,14 @@ impl<'a> Reader<'a> {
         for _ in 0..free_count {
             let slot = self.u32()?;
             if slots.slots.get(slot as usize).is_none_or(|free| free.index.is_some()) {
-                return Err(bad(format!("slot {slot} is said to be free")));
+                return Err(bad(format!("slot {slot} is marked free")));
             }
             slots.free.push(slot);
         }
         Ok(slots)
     }
 
-    /// The identifier of the thing at `index`, by its slots.
+    /// The identifier of the thing at `index`, from its slots.
     pub fn id<I: Identifier>(&mut self, what: &str, slots: &SlotMap<I>, index: usize) -> Result<I> {
         let id = I::from_bits(self.u64()?);
         if slots.index(id) == Some(index) { Ok(id) } else { Err(bad(format!("{what} {index} and its identifier disagree"))) }

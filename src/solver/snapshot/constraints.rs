@@ -1,4 +1,4 @@
-//! Constraints: what they ask, where their targets are on their way, what they did last.
+//! Constraints in a snapshot: definitions, motions of their targets, last results.
 
 use nalgebra::Vector3;
 
@@ -10,7 +10,7 @@ use crate::solver::id::{ConstraintId, SlotMap, StrandId};
 use crate::solver::strand::Strand;
 
 impl Writer {
-    /// All constraints, their strands by index; `id` writes what stands at the end of each.
+    /// All constraints, their strands by index; `id` writes the end of each.
     pub fn constraints(&mut self, constraints: &[Constraint], strands: &SlotMap<StrandId>, id: impl Fn(&mut Self, &Constraint)) {
         self.u64(constraints.len() as u64);
         for constraint in constraints {
@@ -21,7 +21,7 @@ impl Writer {
 
     fn constraint(&mut self, constraint: &Constraint, strands: &SlotMap<StrandId>) {
         let Constraint { def, way, state, forces, .. } = constraint;
-        // A constraint goes with its strands: there is always an index.
+        // A constraint is removed with its strands: there is always an index.
         let index = |id: StrandId| strands.index(id).unwrap_or(usize::MAX) as u64;
         self.u64(index(def.strand));
         self.f64(def.arclength);
@@ -42,7 +42,7 @@ impl Writer {
         self.frame(&def.target);
         self.f64(def.compliance);
         self.frame(&way.pose);
-        self.way(way.going.as_ref());
+        self.pose_move(way.going.as_ref());
         self.vector(state.force);
         self.vector(state.torque);
         self.f64(state.error);
@@ -102,14 +102,14 @@ impl Reader<'_> {
                 let other = self.held(strands)?;
                 Hold::Tie { other: other.id, arclength: self.arclength(other)? }
             }
-            other => return Err(bad(format!("a constraint holds in way {other}"))),
+            other => return Err(bad(format!("a constraint has type {other}"))),
         };
         let target = self.finite_frame("a constraint's target")?;
         let compliance = self.finite("a compliance")?;
         if compliance < 0.0 {
             return Err(bad(format!("a compliance is {compliance}")));
         }
-        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_way("a target's way")? };
+        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's motion")? };
         let state = ConstraintState {
             force: self.vector()?,
             torque: self.vector()?,

@@ -1,4 +1,4 @@
-//! What acts on contact beside bodies: options, what strands are to it, and what the last substep left to begin the next with.
+//! Contact in a snapshot, beside bodies: options, contact parameters of strands, and the warm start of the next substep.
 
 use nalgebra::Matrix3;
 
@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::solver::touching::{NearStrands, Remembered, TouchMemory, With};
 
 impl Writer {
-    /// How contact is answered.
+    /// Contact options.
     pub fn contact_options(&mut self, options: &ContactOptions) {
         self.u32(options.model as u32);
         self.flag(options.hair);
@@ -29,7 +29,7 @@ impl Writer {
         self.u32(options.max_sweeps);
     }
 
-    /// What a strand is to contact.
+    /// Contact parameters of a strand.
     pub fn strand_contact(&mut self, contact: Option<&StrandContact>) {
         self.flag(contact.is_some());
         if let Some(contact) = contact {
@@ -44,7 +44,7 @@ impl Writer {
         }
     }
 
-    /// What a strand may overlap.
+    /// The permitted overlap of a strand.
     pub fn allowance(&mut self, allowance: Option<&Allowance>) {
         self.u64(allowance.map_or(0, |allowance| allowance.along.len() as u64));
         for list in allowance.iter().flat_map(|allowance| [&allowance.along, &allowance.wisp_shares, &allowance.sunk]) {
@@ -58,7 +58,7 @@ impl Writer {
         self.f64(friction.against);
     }
 
-    /// What the last substep left.
+    /// The warm start from the last substep.
     pub fn touches(&mut self, memory: &TouchMemory) {
         self.u64(memory.remembered.len() as u64);
         for seen in &memory.remembered {
@@ -118,7 +118,7 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// How contact is answered.
+    /// Contact options.
     pub fn contact_options(&mut self) -> Result<ContactOptions> {
         let model = self.u32()?;
         let options = ContactOptions {
@@ -137,7 +137,7 @@ impl Reader<'_> {
         Ok(options)
     }
 
-    /// What a strand is to contact.
+    /// Contact parameters of a strand.
     pub fn strand_contact(&mut self) -> Result<Option<Box<StrandContact>>> {
         if !self.flag()? {
             return Ok(None);
@@ -156,7 +156,7 @@ impl Reader<'_> {
         Ok(Some(Box::new(contact)))
     }
 
-    /// What a strand may overlap.
+    /// The permitted overlap of a strand.
     pub fn allowance(&mut self) -> Result<Option<Box<Allowance>>> {
         let count = self.count(3 * 8)?;
         if count == 0 {
@@ -173,7 +173,7 @@ impl Reader<'_> {
         Ok(Friction { along: self.f64()?, against: self.f64()? })
     }
 
-    /// What the last substep left; whether it fits the scene is looked at where it is taken up.
+    /// The warm start from the last substep; checked against the scene where it is used.
     pub fn touches(&mut self) -> Result<TouchMemory> {
         let mut memory = TouchMemory::default();
         for _ in 0..self.count(3 * 4 + 4 * 8)? {
@@ -181,7 +181,7 @@ impl Reader<'_> {
             let with = match sort {
                 0 => With::Body(index),
                 1 => With::Strand(index),
-                other => return Err(bad(format!("a touch is with a thing of sort {other}"))),
+                other => return Err(bad(format!("a contact has partner type {other}"))),
             };
             memory.remembered.push(Remembered { strand, with, along: self.f64()?, force: self.vector()? });
         }
@@ -206,10 +206,10 @@ impl Reader<'_> {
             });
         }
         for _ in 0..self.count(12 * 8)? {
-            let origin = self.finite_vector("where a root was")?;
+            let origin = self.finite_vector("a root's earlier position")?;
             let mut frame = Matrix3::zeros();
             for x in frame.iter_mut() {
-                *x = self.finite("how a root was turned")?;
+                *x = self.finite("a root's earlier rotation")?;
             }
             memory.roots.push((origin, frame));
         }
@@ -225,7 +225,7 @@ impl Reader<'_> {
             memory.sagittas.push(self.finite("a piece's sagitta")?);
         }
         for _ in 0..self.count(3 * 8)? {
-            memory.nodes.push(self.finite_vector("where a piece ended")?);
+            memory.nodes.push(self.finite_vector("the end of a piece")?);
         }
         for _ in 0..self.count(2 * 4)? {
             memory.candidates.push((self.u32()?, self.u32()?));

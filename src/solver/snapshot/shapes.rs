@@ -1,7 +1,7 @@
-//! Shapes that stay as they are, kept once beside any number of snapshots, each under its content's hash.
+//! Static shapes, stored once beside any number of snapshots, each under its content's hash.
 //!
-//! Layout: "SHXSHAP\0", format version of snapshots (u32), 4 bytes of zero, number of shapes (u64); of each its hash (16 bytes), its size
-//! (u64) and its bytes. A shape's hash is the check of its bytes.
+//! Layout: "SHXSHAP\0", format version of snapshots (u32), 4 zero bytes, number of shapes (u64); for each shape its hash (16
+//! bytes), its size (u64) and its bytes. A shape's hash verifies its bytes.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use crate::solver::bodies::SceneBody;
 const MAGIC: &[u8; 8] = b"SHXSHAP\0";
 
 impl SceneBody {
-    /// The hash of a shape that is worth keeping apart: meshes, hulls and grids that never deformed.
+    /// The hash of a shape that is worth storing separately: meshes, hulls and grids that never deformed.
     pub(super) fn content(&self) -> Option<u128> {
         let shape = &self.body.def().shape;
         let large = matches!(shape.parts(), Parts::Mesh(_) | Parts::Hull(_) | Parts::Grid(_));
@@ -29,7 +29,7 @@ fn hash_of(shape: &Shape) -> u128 {
     writer.content_hash()
 }
 
-/// A shape of an image of shapes, if it is there.
+/// A shape in an image of shapes, if present.
 pub(super) fn find(image: &[u8], content: u128) -> Result<Option<Arc<Shape>>> {
     let mut reader = Reader { left: image };
     if &reader.take::<8>().map_err(|_| bad("the shapes are too few bytes"))? != MAGIC {
@@ -59,8 +59,8 @@ pub(super) fn find(image: &[u8], content: u128) -> Result<Option<Arc<Shape>>> {
 }
 
 impl Solver {
-    /// The shapes that snapshots with [`SnapshotShapes::Referenced`](super::SnapshotShapes) refer to, each once: those of meshes, hulls and grids
-    /// that never deformed. One image serves all snapshots that are taken until a body is added.
+    /// The shapes that snapshots with [`SnapshotShapes::Referenced`](super::SnapshotShapes) refer to, each once: those of meshes,
+    /// hulls and grids that never deformed. One image serves all snapshots until a body is added.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::error::Error).
@@ -70,7 +70,7 @@ impl Solver {
         Ok(writer.finished())
     }
 
-    /// The size of [`Solver::snapshot_shapes`], bytes. Nothing is written for it.
+    /// The size of [`Solver::snapshot_shapes`], bytes, without writing it.
     pub fn snapshot_shapes_size(&self) -> usize {
         let mut writer = Writer::counting();
         self.write_shapes(&mut writer);

@@ -1,4 +1,4 @@
-//! Strands: constants and states.
+//! Strands in a snapshot: constants and states.
 
 use super::bytes::{Reader, Writer, bad, of_part};
 use crate::error::Result;
@@ -15,11 +15,11 @@ use crate::solver::sections::Sections;
 use crate::solver::strand::{Authored, Fared, Holds, Strand};
 use crate::step::state::{Earlier, Past, StrandState};
 
-/// Says that a strand stands still.
+/// Marks a frozen strand.
 const FROZEN: u32 = 5;
 
 impl Writer {
-    /// The natural shape as it was given, where it has other elements. Apart from the strand: no step depends on it.
+    /// The original natural shape, if it has other elements. Separate from the strand: no step depends on it.
     pub fn authored(&mut self, authored: Option<&Authored>) {
         self.u64(authored.map_or(0, |authored| authored.lengths.len() as u64));
         if let Some(authored) = authored {
@@ -28,7 +28,7 @@ impl Writer {
         }
     }
 
-    /// What is kept of a strand that a substep did not bring through.
+    /// The record of a diverged strand.
     fn astray(&mut self, astray: Option<&Astray>) {
         let Some(Astray { bodies, state }) = astray else { return self.u32(0) };
         match state {
@@ -54,7 +54,7 @@ impl Writer {
         bodies.iter().for_each(|body| self.frame(body));
     }
 
-    /// A strand that stands still, in the place of what is kept of one that has strayed.
+    /// A frozen strand, in place of the record of a diverged one.
     fn frozen(&mut self, bodies: &[Known]) {
         self.u32(FROZEN);
         self.u64(bodies.len() as u64);
@@ -71,7 +71,7 @@ impl Writer {
         }
     }
 
-    /// A strand's constants and state; the identifier stands apart.
+    /// A strand's constants and state, without the identifier.
     pub fn strand(&mut self, strand: &Strand) {
         let (model, state) = (&strand.model, &strand.state);
         self.u64(strand.user_data);
@@ -96,7 +96,7 @@ impl Writer {
             self.velocities(&state.past.velocities);
             self.frame(&state.past.root);
         }
-        self.way(strand.root_move.as_deref());
+        self.pose_move(strand.root_move.as_deref());
         self.u32(strand.fared.iterations);
         self.u32(u32::from(strand.fared.converged));
         self.u32(u32::from(strand.fared.quarantined));
@@ -111,14 +111,17 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// What the bodies of a strand that stands still are to it.
+    /// The bodies near a frozen strand.
     fn frozen(&mut self) -> Result<Vec<Known>> {
         let count = self.count(8 * 9)?;
         let known = |reader: &mut Self| {
-            let (body, place) =
-                (BodyId::from_bits(reader.u64()?), reader.finite_frame("where a body is to a strand that stands still")?);
+            let (body, place) = (BodyId::from_bits(reader.u64()?), reader.finite_frame("a body's pose for a frozen strand")?);
             let gap = reader.f64()?;
-            if gap.is_nan() { Err(bad("a body's distance from a strand is no number")) } else { Ok(Known { body, place, gap }) }
+            if gap.is_nan() {
+                Err(bad("a body's distance from a strand is not a number"))
+            } else {
+                Ok(Known { body, place, gap })
+            }
         };
         (0..count).map(|_| known(self)).collect()
     }
@@ -126,21 +129,21 @@ impl Reader<'_> {
     fn astray(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Astray>>> {
         let state = match tag {
             0 => return Ok(None),
-            1 => Whereabouts::Carried { seconds: self.finite("how long a strand is carried along")? },
-            2 => Whereabouts::Lost { seconds: self.finite("how long a strand is rolled back")? },
+            1 => Whereabouts::Carried { seconds: self.finite("a strand's time carried along")? },
+            2 => Whereabouts::Lost { seconds: self.finite("a strand's time rolled back")? },
             3 => {
-                let seconds = self.finite("how long a strand is on its way back")?;
+                let seconds = self.finite("a strand's time of return")?;
                 let from = self.rows(elements)?;
                 if !from.iter().flatten().all(|x| x.is_finite()) {
-                    return Err(bad("a strand comes back from a shape that is not finite"));
+                    return Err(bad("a strand returns from a shape that is not finite"));
                 }
                 Whereabouts::Returning { seconds, from: from.into() }
             }
-            4 => Whereabouts::Behind { seconds: self.finite("how long a strand is behind a body")? },
-            other => return Err(bad(format!("a strand is in a state {other}"))),
+            4 => Whereabouts::Behind { seconds: self.finite("a strand's time behind a body")? },
+            other => return Err(bad(format!("a strand has state {other}"))),
         };
         let count = self.count(8 * 7)?;
-        let bodies = (0..count).map(|_| self.finite_frame("where a body stands for a strand")).collect::<Result<Vec<_>>>()?;
+        let bodies = (0..count).map(|_| self.finite_frame("a body's pose for a strand")).collect::<Result<Vec<_>>>()?;
         Ok(Some(Box::new(Astray { bodies, state })))
     }
 
@@ -155,13 +158,13 @@ impl Reader<'_> {
         let curvatures = self.rows(elements)?;
         let velocities = self.rows(points)?;
         if !curvatures.iter().chain(&velocities).flatten().all(|x| x.is_finite()) {
-            return Err(bad("a strand's past holds a number that is not finite"));
+            return Err(bad("a strand's history has a number that is not finite"));
         }
         let velocities = velocities.into_iter().map(Vec3).collect();
         Ok(Past::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
     }
 
-    /// The natural shape as it was given of a strand of that length.
+    /// The original natural shape of a strand of this length.
     pub fn authored(&mut self, length: f64) -> Result<Option<Box<Authored>>> {
         let count = self.count(8 * 4)?;
         if count == 0 {
@@ -173,12 +176,12 @@ impl Reader<'_> {
             && (lengths.iter().sum::<f64>() - length).abs() <= 1e-6 * length
             && natural.iter().flatten().all(|x| x.is_finite());
         if !good {
-            return Err(bad("a strand's given natural shape is none of its length"));
+            return Err(bad("a strand's original natural shape does not have its length"));
         }
         Ok(Some(Box::new(Authored { lengths: lengths.into(), natural: natural.into() })))
     }
 
-    /// A strand, but for what it is to contact and the natural shape as it was given.
+    /// A strand without its contact parameters and its original natural shape.
     pub fn strand(&mut self, id: StrandId, rules: &Rules, sections: &mut Sections) -> Result<Strand> {
         let user_data = self.u64()?;
         let count = self.count(8 * 10)?;
@@ -216,9 +219,9 @@ impl Reader<'_> {
         };
         let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
-            return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
+            return Err(bad("a strand has a number that is not finite, or a length not above zero"));
         }
-        let root_move = self.way()?.map(Box::new);
+        let root_move = self.pose_move()?.map(Box::new);
         let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
         let tag = self.u32()?;
         let (astray, known) = if tag == FROZEN { (None, Some(self.frozen()?)) } else { (self.astray(tag, count)?, None) };

@@ -1,4 +1,4 @@
-//! A strand near a tool: where things hold it, and how it answers there.
+//! A strand near a tool: the places where forces act on it, and its response there.
 
 use nalgebra::Vector3;
 
@@ -21,25 +21,26 @@ use crate::step::held_alone::Alone;
 use crate::step::members::One;
 use crate::step::state::{StrandState, rotation_matrix};
 
-/// A place near a touch that presses is no touch of its own if it is no further from it along the strand than this, m, and faces the same way to
-/// within this cosine.
+/// A place near a contact under pressure is no contact of its own if it is within this distance of it along the strand, m, and
+/// faces the same way to within this cosine.
 const ONE_PLACE: f64 = 5e-4;
 const ONE_SIDE: f64 = 0.9;
-/// Iterations to where a strand goes, if by the linear model one of its places goes further than this part of its length.
-const MOST_ITERATIONS: u32 = 1;
+/// Iterations on a strand's displacement, if by the linear model one of its places moves by more than this fraction of its
+/// length.
+const MAX_ITERATIONS: u32 = 1;
 const LINEAR: f64 = 0.01;
 
-/// Where something holds a strand.
+/// A place where something acts on a strand.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HeldPlace {
     station: Station,
     along: f64,
     force: Vec3<f64>,
-    /// With one of the bodies.
+    /// The contact with one of the bodies, if it is one.
     pub touch: Option<BodyTouch>,
 }
 
-/// A strand near the bodies, and the memory for it.
+/// A strand near the bodies, and its memory.
 #[derive(Debug, Default)]
 pub(super) struct NearStrand {
     /// Its index in the solver.
@@ -47,22 +48,22 @@ pub(super) struct NearStrand {
     elements: Vec<ElementState<f64>>,
     search: Search,
     pub places: Vec<HeldPlace>,
-    /// How its places answer, while that is worked out.
-    pub answer: Option<Box<Answer>>,
+    /// The response of its places, while being computed.
+    pub response: Option<Box<Response>>,
 }
 
-/// How a strand's places answer, and the memory for it.
+/// The response of a strand's places, and its memory.
 #[derive(Debug, Default)]
-pub(super) struct Answer {
-    /// Its own copy of the strand's state, for the step that is begun with it.
+pub(super) struct Response {
+    /// Its own copy of the strand's state, for the step that starts with it.
     state: StrandState,
     alone: Alone,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
 }
 
-impl Answer {
-    /// Makes room for so many places.
+impl Response {
+    /// Reserves memory for this many places.
     fn make_room(&mut self, most: usize) {
         self.stations.clear();
         self.stations.reserve(most);
@@ -73,8 +74,8 @@ impl Answer {
 }
 
 impl NearStrand {
-    /// Finds the places that are nearer than `within` (m) to the bodies, and lists them with those where something holds the strand. None where no place
-    /// is near.
+    /// Finds the places closer than `within` (m) to the bodies, and lists them with those where something acts on the strand.
+    /// Lists none if no place is near.
     pub fn find(&mut self, strand: &Strand, bodies: &[BodyAt], within: f64, held: &Places) {
         self.places.clear();
         let Some(contact) = strand.contact.as_deref() else { return };
@@ -94,16 +95,16 @@ impl NearStrand {
         self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
     }
 
-    /// Reserves room for `most` places, so that filling them allocates nothing.
+    /// Reserves memory for `most` places, so that filling them allocates nothing.
     pub fn make_room(&mut self, most: usize) {
         self.search.found.reserve(most.saturating_sub(self.search.found.len()));
         self.places.reserve(most.saturating_sub(self.places.len()));
-        if let Some(answer) = &mut self.answer {
-            answer.make_room(most);
+        if let Some(response) = &mut self.response {
+            response.make_room(most);
         }
     }
 
-    /// Whether one of its places touches a body, or soon may.
+    /// Whether one of its places is in contact with a body, or may soon be.
     pub fn has_touches(&self) -> bool {
         self.places.iter().any(|place| place.touch.is_some())
     }
@@ -113,7 +114,7 @@ impl NearStrand {
         HeldPlace { station: station_at(&strand.model, along), along, force: force.into(), touch: None }
     }
 
-    /// What there is of the strand between two touches with one body belongs half to either.
+    /// The length of the strand between two contacts with one body is divided equally between them.
     fn share_reach(&mut self) {
         for k in 0..self.places.len() {
             let Some(touch) = self.places[k].touch else { continue };
@@ -128,10 +129,10 @@ impl NearStrand {
         }
     }
 
-    /// Works out how its places answer.
+    /// Computes the response of its places.
     pub fn condense(&mut self, strand: &Strand, setting: &Setting, seconds: f64) {
-        let Self { answer, places, elements, .. } = self;
-        let Answer { state, alone, stations, forces } = &mut **answer.get_or_insert_default();
+        let Self { response, places, elements, .. } = self;
+        let Response { state, alone, stations, forces } = &mut **response.get_or_insert_default();
         state.clone_from(&strand.state);
         stations.clear();
         stations.extend(places.iter().map(|place| place.station));
@@ -142,9 +143,9 @@ impl NearStrand {
         let root_at = |elapsed: f64| root_after(&strand.root_move, &start, elapsed);
         alone.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
         alone.linearise(stations, forces);
-        // (The first linear model has no tension in it.)
-        for _ in 0..MOST_ITERATIONS {
-            let farthest = (0..places.len()).map(|k| led_to(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
+        // (The first linear model has no tension.)
+        for _ in 0..MAX_ITERATIONS {
+            let farthest = (0..places.len()).map(|k| displacement(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
             if farthest <= (LINEAR * strand.model.length()).powi(2) {
                 break;
             }
@@ -155,12 +156,13 @@ impl NearStrand {
         let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(touch) = &mut place.touch else { continue };
-            let moved = Held::place(held.now(), &place.station) - Held::place(before, &place.station) + led_to(held, forces, k);
+            let moved =
+                Held::place(held.now(), &place.station) - Held::place(before, &place.station) + displacement(held, forces, k);
             (touch.moved, touch.most_force) = (moved, most_force);
         }
     }
 
-    /// Whether all that it tells is finite.
+    /// Whether all its results are finite.
     pub fn is_finite(&self) -> bool {
         let told = self.places.iter().filter_map(|place| place.touch.as_ref());
         let mut moved = told.map(|touch| touch.moved);
@@ -169,10 +171,10 @@ impl NearStrand {
 
     /// The matrix of all places.
     fn columns(&self) -> &[f64] {
-        self.answer.as_ref().map_or(&[], |answer| &answer.alone.held.delassus.columns)
+        self.response.as_ref().map_or(&[], |response| &response.alone.held.delassus.columns)
     }
 
-    /// The matrix's rows and columns of the touches alone.
+    /// The matrix's rows and columns of the contacts alone.
     pub fn write(&self, out: &mut Vec<f64>) {
         let columns = self.columns();
         let size = 3 * self.places.len();
@@ -183,7 +185,7 @@ impl NearStrand {
         }
     }
 
-    /// A place that touches a body, or soon may.
+    /// A place in contact with a body, or soon to be.
     fn touch(
         &self,
         strand: &Strand,
@@ -215,7 +217,7 @@ impl NearStrand {
         place
     }
 
-    /// Where contact held it in the last substep.
+    /// The contacts of the last substep.
     fn list_contacts(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], held: &Places) {
         let first = held.contacts.partition_point(|(index, ..)| *index < self.index);
         for (_, along, last) in held.contacts[first..].iter().take_while(|(index, ..)| *index == self.index) {
@@ -234,7 +236,7 @@ impl NearStrand {
         }
     }
 
-    /// Where it is near, and what constraints hold.
+    /// Near places, and constraints.
     fn list_near(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], held: &Places) {
         for k in 0..self.search.found.len() {
             let found = self.search.found[k];
@@ -258,8 +260,8 @@ impl NearStrand {
     }
 }
 
-/// How far forces take place `k` by the linear model, m.
-fn led_to(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
+/// Displacement of place `k` under forces by the linear model, m.
+fn displacement(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
     let (mut moved, size) = (Vector3::from(held.free[k]), 3 * forces.len());
     for (column, force) in forces.iter().flat_map(|force| force.0).enumerate() {
         let rows = &held.delassus.columns[column * size + 3 * k..][..3];

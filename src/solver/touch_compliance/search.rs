@@ -1,7 +1,8 @@
-//! Where a strand comes near a tool's bodies: a quick search, for places that may soon be touches. What presses is known from the step.
+//! A quick search for places where a strand is near a tool's bodies and may soon be in contact. Contacts under pressure are known
+//! from the step.
 //!
-//! Distances change no faster than arclength: a strand that is far is passed in leaps. Where points a few millimetres apart enclose a minimum, it is
-//! found between them by secants of the slope.
+//! Distances change no faster than arclength, so distant strands are skipped in large strides. Where points a few millimetres
+//! apart enclose a minimum, secants of the slope find it.
 
 use nalgebra::Vector3;
 
@@ -9,19 +10,19 @@ use crate::contact::body::BodyAt;
 use crate::contact::touch::StrandCurve;
 use crate::rod::strand::place_on;
 
-/// Points along a strand are no further apart than this, m, and turn by no more than this, rad, from one to the next.
+/// Points along a strand are at most this far apart, m, and turn by at most this from one to the next, rad.
 const SPACING: f64 = 8e-3;
 const TURN: f64 = 0.5;
-/// Secants to a minimum, and how level the distance then is.
-const MOST_SECANTS: usize = 4;
-/// Surfaces are taken to be as round as this, m, as long as nothing better is known.
+/// Secants per minimum, and the slope that counts as level.
+const MAX_SECANTS: usize = 4;
+/// Surfaces count as this round, m, until something better is known.
 const ROUND: f64 = 1e-3;
 const LEVEL: f64 = 0.02;
 
 /// A place of a strand near a body.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NearPlace {
-    /// Which of the bodies.
+    /// Index of the body.
     pub body: usize,
     /// Arclength from the root, m.
     pub along: f64,
@@ -48,8 +49,8 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// Finds the places beyond `exempt` (m of arclength) whose surface, `radius` (m) about the centreline, is nearer than `within` (m) to one of the
-    /// bodies that are `met`.
+    /// Finds the places beyond `exempt` (m of arclength) whose surface, `radius` (m) from the centreline, is closer than `within`
+    /// (m) to one of the bodies that are `met`.
     pub fn find(
         &mut self,
         curve: &StrandCurve,
@@ -83,16 +84,16 @@ impl Search {
         }
     }
 
-    /// Along all of the strand past one body.
+    /// The whole strand against one body.
     fn pass(&mut self, curve: &StrandCurve, body: usize, at: &BodyAt, thickness: f64, within: f64) {
         let reach = thickness + within;
-        // Nothing is known of what is further than a leap.
+        // Nothing is known beyond a stride.
         let farthest = reach + 0.1;
         let back = at.end.rotation.inverse();
         let closest = |point: Vector3<f64>| at.shape.closest(back * (point - at.end.origin), farthest);
         let distance = |point: &Point| closest(point.at).map_or(farthest, |surface| surface.distance);
         let points = &self.points;
-        // The last two that were looked at.
+        // The last two points evaluated.
         let mut seen: [Option<(usize, f64)>; 2] = [None; 2];
         let mut next = 0;
         while next < points.len() || seen[1].is_some() {
@@ -121,7 +122,7 @@ impl Search {
     }
 }
 
-/// The lowest place between two arclengths, from a point between them on: its arclength, the distance and the normal (world) there.
+/// The lowest place between two arclengths, starting from a point between them: its arclength, distance and normal (world).
 fn lowest(
     curve: &StrandCurve,
     from: &Point,
@@ -136,7 +137,7 @@ fn lowest(
     let (distance, normal, mut slope) = look(from.element, from.s, from.at)?;
     let mut best = (along, distance, normal);
     let mut step = -slope * (distance.max(0.0) + ROUND);
-    for _ in 0..MOST_SECANTS {
+    for _ in 0..MAX_SECANTS {
         let to = (along + step).clamp(ends[0], ends[1]);
         if slope.abs() <= LEVEL || to == along {
             break;

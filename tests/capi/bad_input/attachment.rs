@@ -1,8 +1,8 @@
-//! Bad input to the functions of rigid attachments: function, argument, what is wrong with it, the code that it must give, the call.
+//! Bad input to the functions of rigid attachments: function, argument, fault, expected result code, call.
 
 use super::*;
 
-/// An attachment of the scene's first strand, first body and first constraint, in memory that the table gives back to the process's end.
+/// An attachment of the scene's first strand, first body and first constraint, in memory that lives until the process ends.
 fn attachment(s: &Scene) -> *mut shx_attachment {
     let mut made = null_mut();
     // SAFETY: living handles, one id each, place for a pointer.

@@ -1,4 +1,4 @@
-//! Bad input to the functions of caches: function, argument, what is wrong with it, the code that it must give, the call.
+//! Bad input to the functions of caches: function, argument, fault, expected result code, call.
 
 use super::curve_data::data;
 use super::*;

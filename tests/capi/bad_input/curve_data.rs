@@ -1,4 +1,4 @@
-//! Bad input to the functions of what curves have beside points: function, argument, what is wrong with it, the code that it must give,
+//! Bad input to the functions of curves' optional data: function, argument, fault, expected result code,
 //! the call.
 
 use super::*;

@@ -1,4 +1,4 @@
-//! Bad input to the functions of level_of_detail: function, argument, what is wrong with it, the code that it must give, the call.
+//! Bad input to the functions of level_of_detail: function, argument, fault, expected result code, call.
 
 use super::*;
 

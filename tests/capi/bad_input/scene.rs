@@ -1,4 +1,4 @@
-//! What every case of the table starts from: a solver with strands, ids that name nothing, a groom, and memory for outputs.
+//! The start of every case of the table: a solver with strands, ids that name nothing, a groom, and memory for outputs.
 
 use std::ffi::{CString, c_void};
 use std::ptr::{null, null_mut};
@@ -67,7 +67,7 @@ pub fn strand() -> shx_strand_def {
     }
 }
 
-/// What a call filled.
+/// The output of a call.
 fn filled<T>(fill: impl FnOnce(*mut T) -> i32) -> T {
     let mut made = std::mem::MaybeUninit::uninit();
     assert_eq!(fill(made.as_mut_ptr()), SHX_OK);
@@ -120,7 +120,7 @@ impl Scene {
         let groom = CString::new(path.to_str().expect("UTF-8")).expect("a path");
         let def = [strand(); 2];
         let size = size_of::<shx_strand_def>();
-        // SAFETY: all pointers are to memory of the right size.
+        // SAFETY: all pointers refer to memory of the right size.
         unsafe {
             assert_eq!(shx_solver_create(null(), &raw mut solver), SHX_OK);
             assert_eq!(shx_solver_create(null(), &raw mut other), SHX_OK);

@@ -1,8 +1,8 @@
-//! Bad input to the functions of a living solver's options: function, argument, what is wrong with it, the code that it must give, the call.
+//! Bad input to the functions of a solver's options: function, argument, fault, expected result code, call.
 
 use super::*;
 
-/// What the scene's solver has.
+/// The options of the scene's solver.
 fn options() -> shx_solver_options {
     let mut options = std::mem::MaybeUninit::uninit();
     // SAFETY: room for one structure, which the call fills.

@@ -1,4 +1,4 @@
-//! Bad input to the functions of suggest, and to shx_solver_strand_turning_angles: function, argument, what is wrong with it, the code that it must
+//! Bad input to the functions of suggest, and to shx_solver_strand_turning_angles: function, argument, fault, the code that it must
 //! give, the call.
 
 use super::*;

@@ -11,7 +11,7 @@ fn creep(angle: f64, mu: f64, h: f64, elements: usize) -> (f64, u32) {
     let mut solver = solver(ContactOptions::default());
     let mut def = StrandDef::straight(0.2, elements);
     def.material.youngs_modulus = 1e6;
-    // The plane z = 0 turned about x: down is to y.
+    // The plane z = 0 turned about x: downhill is along y.
     let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -angle);
     def.root = Frame { origin: turn * Vector3::z() * def.material.radius[0], rotation: turn };
     let id = solver.add_strands(&[def]).unwrap()[0];
@@ -20,7 +20,7 @@ fn creep(angle: f64, mu: f64, h: f64, elements: usize) -> (f64, u32) {
     let contact = StrandContact { friction: Friction::uniform(mu), ..StrandContact::default() };
     solver.set_contact(&[id], Some(&contact)).unwrap();
     let places = [0.1, 0.2];
-    // Half a second to come to rest.
+    // Half a second to settle.
     for _ in 0..(0.5 / h).round() as u32 {
         solver.step(h, 1).unwrap();
     }

@@ -1,4 +1,4 @@
-//! Faults of the contact engine, each shown by tests of its own: a module a subject. All use the default options where nothing else is said.
+//! Faults of the contact engine, each with tests of its own, one module per subject. All use the default options unless noted.
 
 mod incline;
 mod neighbours_of_a_failing_strand;

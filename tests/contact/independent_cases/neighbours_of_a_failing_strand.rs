@@ -1,4 +1,4 @@
-//! One strand of an island cannot be solved: those that are not even its neighbours go on as they were.
+//! One strand of an island cannot be solved: strands that are not its neighbours are unaffected.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::{
@@ -13,7 +13,7 @@ const APART: f64 = 0.02;
 const RADIUS: f64 = 5e-4;
 const MU: f64 = 0.4;
 
-/// What the first strand is done to.
+/// What happens to the first strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Fault {
     None,
@@ -25,7 +25,7 @@ enum Fault {
     Squeezed,
 }
 
-/// What the strands came to that are neither the first nor across it.
+/// The result for strands that are neither the first nor across it.
 #[derive(Debug, Default)]
 struct Came {
     /// The fastest that one's tip went, m/s, on an average of all but the first half second.
@@ -172,7 +172,7 @@ fn what_lies_beside_a_squeezed_strand_goes_on_rubbing() {
     others_go_on_rubbing(Fault::Squeezed, 6);
 }
 
-/// Islands of more than twenty strands take other ways through a step.
+/// Islands of more than twenty strands are solved differently.
 #[test]
 fn what_lies_beside_a_strand_led_out_of_reach_goes_on_rubbing_in_a_larger_island() {
     others_go_on_rubbing(Fault::Led, 11);

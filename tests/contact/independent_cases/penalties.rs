@@ -1,4 +1,4 @@
-//! The penalty models: what they do is a continuous function of what they are given, and what they tell is true.
+//! The penalty models: their results depend continuously on the input, and their reports are true.
 
 use std::f64::consts::PI;
 
@@ -60,14 +60,14 @@ fn goes_where_its_neighbour_goes(model: ContactModel, iterations: Option<u32>, f
     (worst, jumps)
 }
 
-/// What the others are measured by: the same step from the same image comes to the same place.
+/// The baseline: the same step from the same image gives the same result.
 #[test]
-fn the_same_step_comes_to_the_same_place() {
+fn the_same_step_gives_the_same_result() {
     assert_eq!(goes_where_its_neighbour_goes(ContactModel::Penalty, None, 0.0), (0.0, 0));
 }
 
-/// While friction was a switch nearly all forty steps differed by millimetres, by up to 6 mm with penalties and 15 mm with regularised ones. What is left are steps in
-/// which a touch of two strands is found or not, and how far its force has come when the iteration ends.
+/// The differences come from steps in which a contact of two strands is detected or not, and from how far its force has grown
+/// when the iteration ends. Friction must not act as a switch.
 fn is_little(model: ContactModel, (worst, jumps): &(f64, u32)) -> bool {
     if model == ContactModel::Penalty { *worst < 2e-3 && *jumps <= 10 } else { *worst < 1e-2 }
 }
@@ -103,9 +103,9 @@ fn depths(head: &mut Head, centre: Vector3<f64>) -> (f64, f64) {
     (in_ball, any)
 }
 
-/// What the report says of how deep surfaces are is at least 0.9 of what can be seen from outside.
+/// The reported depth is at least 0.9 of the depth measured from outside.
 #[test]
-fn penalties_tell_how_deep_they_are() {
+fn penalties_report_their_depth() {
     let mut failed = Vec::new();
     for model in SOFT {
         for iterations in [Some(1), Some(2), Some(4), None] {
@@ -116,7 +116,7 @@ fn penalties_tell_how_deep_they_are() {
                 head.send(&pose, H);
                 let told = head.solver.step(H, 1).unwrap().contact.penetration;
                 let (in_ball, any) = depths(&mut head, pose.origin);
-                // What is less than a hundredth of a millimetre is nothing.
+                // Less than a hundredth of a millimetre counts as nothing.
                 if in_ball > 1e-5 {
                     least = least.min(told / in_ball);
                 }
@@ -136,9 +136,9 @@ fn penalties_tell_how_deep_they_are() {
     assert!(failed.is_empty(), "{failed:?}");
 }
 
-/// One or two iterations are what the user chose to pay: calm hair on a head that hardly moves is not told as unsolved for it.
+/// One or two iterations are what the user chose to pay: calm hair on a head that hardly moves is not reported as unsolved for it.
 #[test]
-fn iterations_that_were_chosen_are_not_told_as_unconverged() {
+fn chosen_iteration_limits_are_not_reported_as_unconverged() {
     let mut failed = Vec::new();
     for model in SOFT {
         for iterations in [1, 2] {

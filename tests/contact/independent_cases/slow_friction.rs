@@ -1,4 +1,4 @@
-//! Friction of what goes slowly: Coulomb's force does not depend on the speed, however little a step's way is.
+//! Friction at low speed: Coulomb's force does not depend on the speed, however small a step's displacement is.
 
 use nalgebra::Vector3;
 use superhelix::{ContactOptions, Friction, Shape, StrandContact, StrandDef};
@@ -6,7 +6,7 @@ use superhelix::{ContactOptions, Friction, Shape, StrandContact, StrandDef};
 use super::{across, at, body, floor, hanging, solver};
 
 const MU: f64 = 0.3;
-/// Internal, s: a spring that moves draws as if it had gone so much longer.
+/// Internal friction time, s: a moving spring pulls as if it had moved for this much longer.
 const VISCOSITY: f64 = 0.02;
 /// m/s.
 const SPEEDS: [f64; 6] = [1e-5, 1e-4, 5e-4, 1e-3, 2e-3, 1e-2];
@@ -15,29 +15,31 @@ fn rubbing() -> StrandContact {
     StrandContact { friction: Friction::uniform(MU), ..StrandContact::default() }
 }
 
-/// The way over which μN may do work in a step, m: a residual of 1e-4 leaves a micrometre a second, in 1/60 s that is this.
+/// The distance over which μN may do work in a step, m: a residual of 1e-4 leaves a micrometre per second, which is this in 1/60
+/// s.
 const WORKS: f64 = 1.7e-8;
-/// What slips less in a step, m, may stick.
+/// A contact that slips less than this in a step, m, may stick.
 const SLIPS: f64 = 2e-8;
-/// A belt that starts or turns at once shakes a short strand for so long, s.
+/// A belt that starts or turns at once shakes a short strand for this long, s.
 const SHAKES: f64 = 0.15;
 
-/// What a run on a belt came to.
+/// The result of a run on a belt.
 #[derive(Debug, Default)]
 struct Run {
-    /// The largest miss of the force that statics and Coulomb's law give, in units of μN.
+    /// The largest residual of the force that statics and Coulomb's law give, in units of μN.
     miss: f64,
-    /// The same while the belt goes back, after it has gone back far enough.
+    /// The same while the belt moves back, after it has moved back far enough.
     miss_back: f64,
-    /// Work of friction on belt and strand, by a contact in a step, J: the most.
+    /// Work of friction on belt and strand, per contact and step, J: the most.
     work: f64,
-    /// The way over which μN does that, m, less a thousandth of the belt's way in a step.
+    /// The distance over which μN does that work, m, minus a thousandth of the belt's displacement in a step.
     work_way: f64,
     unconverged: u32,
 }
 
-/// A short strand whose root is clamped 50 µm above a belt, so that its tip alone lies on it. Sideways it is a spring of k = 3EI/L³, and the belt
-/// draws at it by k times its way until that is μN; once the belt has turned and gone twice as far back, by μN the other way.
+/// A short strand whose root is clamped 50 µm above a belt, so that only its tip lies on it. Sideways it is a spring of k =
+/// 3EI/L³, and the belt pulls it by k times its displacement up to μN; once the belt has turned and moved back twice as far, by
+/// μN in the other direction.
 fn a_short_strand_on_a_belt(speed: f64, h: f64, boxed: bool) -> Run {
     let mut solver = solver(ContactOptions::default());
     let mut def = StrandDef::straight(0.02, 6);
@@ -69,7 +71,7 @@ fn a_short_strand_on_a_belt(speed: f64, h: f64, boxed: bool) -> Run {
         solver.set_body_frames(&[belt], &[pose], h).unwrap();
         run.unconverged += solver.step(h, 1).unwrap().contact.unconverged;
         let wrench = solver.body_wrench(belt).unwrap().force;
-        // On the strand, along the belt's way.
+        // On the strand, along the belt's direction.
         let (force, most) = (-wrench.y, -MU * wrench.z);
         for contact in solver.contacts() {
             let work = contact.force.dot(&across(&contact.slip, &contact.normal));

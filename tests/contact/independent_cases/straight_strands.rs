@@ -1,4 +1,4 @@
-//! Straight strands that something pushes exactly along themselves: they must bend to give way, and no first-order motion does.
+//! Straight strands that something pushes exactly along themselves: they must bend to yield, and no first-order motion does.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::{ConstraintDef, ConstraintStatus, Frame, Hold, Shape, Solver, SolverOptions, StrandContact, StrandDef};
@@ -8,7 +8,7 @@ use super::{at, body, floor, hanging, line, point, solver, with_hair};
 const LENGTH: f64 = 0.2;
 const H: f64 = 1.0 / 60.0;
 
-/// Which way down is: -z, where the root's rotation is rounded, or x, where all numbers are exact.
+/// The direction of gravity: -z, where the root's rotation is rounded, or x, where all numbers are exact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Down {
     Z,
@@ -35,7 +35,7 @@ impl Down {
     }
 }
 
-/// What is under the strand.
+/// The body under the strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Below {
     HalfSpace,
@@ -43,7 +43,7 @@ enum Below {
     Ball,
 }
 
-/// What a strand came to that was pushed from below.
+/// The result for a strand that is pushed from below.
 #[derive(Debug, PartialEq)]
 struct Pushed {
     /// How deep any place of it is at the end, m, by samples.
@@ -152,7 +152,7 @@ fn which_way_a_straight_strand_bends_is_the_same_in_every_run() {
 }
 
 /// The tip of a straight strand pinned and led upwards along the strand by 10 mm: what is in reach holds. A micrometre, and said to hold, five steps
-/// after the target has come to rest.
+/// after the target has stopped.
 #[test]
 fn a_pin_that_pushes_along_a_straight_strand_holds() {
     let mut failed = Vec::new();
@@ -207,7 +207,7 @@ fn seven_pinned(tied: bool) -> (f64, Vec<ConstraintStatus>) {
         |k: usize| ConstraintDef { strand: ids[k], arclength: LENGTH, hold: Hold::Point, target: at(tips[k]), compliance: 0.0 };
     let pins = solver.add_constraints(&(0..7).map(pin).collect::<Vec<_>>()).unwrap();
     if tied {
-        // Ties that give way by 2 mm for a hundred-thousandth of a newton, about half of a strand's weight.
+        // Ties that yield by 2 mm under a hundred-thousandth of a newton, about half of a strand's weight.
         let tie = |k: usize| ConstraintDef {
             hold: Hold::Tie { other: ids[k + 1], arclength: 0.25 * LENGTH },
             arclength: 0.25 * LENGTH,
@@ -240,7 +240,7 @@ fn of_seven_pins_none_is_let_go_where_one_pushes_along_its_strand() {
     }
 }
 
-/// The same strand hanging over a floor, which is turned a little in every run: what is all but straight must come to the same as what is straight.
+/// The same strand hanging over a floor, which is turned a little in every run: a nearly straight strand must give the same result as a straight one.
 #[test]
 fn a_strand_a_little_off_the_vertical_bends_as_well() {
     let mut failed = Vec::new();

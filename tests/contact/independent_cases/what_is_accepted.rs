@@ -1,4 +1,4 @@
-//! Signorini's and Coulomb's laws, looked at from outside: of every contact that a step tells, whatever the solver thinks of it.
+//! Signorini's and Coulomb's laws, checked from outside: for every contact that a step reports, whatever the solver's own verdict.
 
 use std::f64::consts::PI;
 
@@ -22,9 +22,9 @@ struct Worst {
     deep: f64,
     /// How far the tangential force is beyond the cone, less 1e-3 of its size.
     beyond: f64,
-    /// How far the tangential force of what slides is from μN against its way, less 1 % of that.
+    /// Deviation of a sliding contact's tangential force from μN against the motion, minus 1 % of that.
     off: f64,
-    /// The share of that miss in μN, of contacts with more than a hundredth of a strand's weight.
+    /// That residual relative to μN, for contacts with more than a hundredth of a strand's weight.
     off_share: f64,
     /// How fast what sticks goes, m/s: contacts within 0.98 of the cone with more than 1e-4 of a strand's weight.
     creep: f64,
@@ -83,7 +83,7 @@ impl Worst {
     }
 }
 
-/// Twelve wisps on a ball that turns to and fro by `most` rad, `often` times a second: of the islands' steps that are told as solved, and of all.
+/// Twelve wisps on a ball that turns to and fro by `most` rad, `often` times a second: for the islands' steps that are reported as solved, and for all.
 fn run(h: f64, most: f64, often: f64) -> (Worst, u32) {
     let contact = StrandContact { radius: 1e-4, wisp_radius: 1e-3, exempt_length: 0.005, ..StrandContact::default() };
     let mut head = Head::new(with_hair(), 12, &contact);
@@ -93,8 +93,8 @@ fn run(h: f64, most: f64, often: f64) -> (Worst, u32) {
         head.send(&turned_about_z(most * (2.0 * PI * often * f64::from(step) * h).sin()), h);
         let report = head.solver.step(h, 1).unwrap();
         told += u32::from(report.unconverged > 0);
-        // What was drawn in each other takes two tenths of a second to part. (Where a step was taken in parts, a slip is of the last of them: it
-        // is faster than what is looked at.)
+        // Initial overlaps take two tenths of a second to separate. (In a subdivided step, a slip is that of the last substep: it
+        // is faster than the checked ones.)
         if f64::from(step) * h < 0.2 {
             continue;
         }

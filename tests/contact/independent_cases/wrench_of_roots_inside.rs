@@ -1,4 +1,4 @@
-//! Strands that grow from within a mesh out through it: the forces between them and it stay in measure, though the roots are where no force moves them.
+//! Strands that grow from within a mesh out through it: the forces between them and it stay moderate, though no force can move the roots.
 
 use std::f64::consts::PI;
 
@@ -35,7 +35,7 @@ fn cap(sides: Sides) -> Shape {
     Shape::new_mesh(vertices, triangles, sides).unwrap()
 }
 
-/// Which way strands leave their roots.
+/// The direction of strands at their roots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Leaving {
     /// Straight out through the mesh.
@@ -132,7 +132,7 @@ fn stays_in_measure(sides: Sides, leaving: Leaving, depths: &[f64], strands: usi
     assert!(failed.is_empty(), "{failed:?}");
 }
 
-/// What the command line makes of an open mesh.
+/// The command line's grid of an open mesh.
 const FRONT: Sides = Sides::Front { depth: 0.02 };
 const DEPTHS: [f64; 3] = [3e-4, 2e-3, 8e-3];
 

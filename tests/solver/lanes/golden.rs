@@ -1,4 +1,4 @@
-//! The hashes that the scene's course must come to on every machine, and the settings that it takes it with.
+//! The golden hashes of the scene's course on every machine, and its settings.
 
 use superhelix::{InstructionSet, Integrator, Precision, SolverOptions};
 

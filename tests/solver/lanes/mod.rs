@@ -1,4 +1,4 @@
-//! Lanes: whoever steps the strands, and however many side by side, the numbers are the same to the bit.
+//! Lanes: the numbers are the same to the bit for any number of threads and any number of strands side by side.
 
 mod golden;
 mod scene;

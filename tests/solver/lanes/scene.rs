@@ -1,4 +1,4 @@
-//! A scene of everything that lanes have to cope with, and its course.
+//! A scene with everything that lanes must handle, and its course.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::internals::math::rotation::from_rotation_vector;
@@ -47,12 +47,12 @@ pub fn swayed(k: u64, step: u32) -> Frame {
     }
 }
 
-/// The frame of a root that is thrown so far that no number of its strand stays finite.
+/// The frame of a root thrown so far that its strand's numbers overflow.
 pub fn thrown() -> Frame {
     Frame { origin: Vector3::new(1e200, 0.0, 0.0), ..Frame::default() }
 }
 
-/// What a report says that does not depend on the clock.
+/// The parts of a report that do not depend on the clock.
 pub fn said(report: &StepReport) -> StepReport {
     StepReport { seconds: 0.0, phases: Phases::default(), ..*report }
 }

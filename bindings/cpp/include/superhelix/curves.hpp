@@ -61,7 +61,7 @@ class curves {
     return detail::finish(code, std::move(all));
   }
 
-  // What the file says beside points; empty if it does not.
+  // The file's optional data; empty if absent.
   returns<std::vector<float>> attribute(curve_attribute::type what) const {
     std::size_t count = 0;
     shx_result code = shx_curves_attribute(get(), what, nullptr, 0, &count);

@@ -57,7 +57,7 @@ class render_hair {
     const shx_result code = shx_render_hair_create(&settings, &guides, &roots, &made);
     return detail::finish(code, render_hair(made, settings.loop()));
   }
-  // From bytes that save gave. Of settings only worker_count and parallel_for are looked at.
+  // From the bytes of save. Of settings only worker_count and parallel_for count.
   static returns<render_hair> load(span<const std::uint8_t> image, const render_settings &settings = {}) {
     shx_render_hair *made = nullptr;
     const shx_result code = shx_render_hair_load(image.data(), image.size(), &settings, &made);

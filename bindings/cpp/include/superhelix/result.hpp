@@ -117,11 +117,11 @@ class [[nodiscard]] result<void> {
 inline namespace SUPERHELIX_WAY {
 
 #if SUPERHELIX_USE_RESULTS
-// What a function of T returns: T, or with SUPERHELIX_USE_RESULTS result<T>.
+// The return type of a function of T: T, or with SUPERHELIX_USE_RESULTS result<T>.
 template <class T>
 using returns = result<T>;
 #else
-// What a function of T returns: T, or with SUPERHELIX_USE_RESULTS result<T>.
+// The return type of a function of T: T, or with SUPERHELIX_USE_RESULTS result<T>.
 template <class T>
 using returns = T;
 #endif
@@ -137,7 +137,7 @@ template <class T>
 #endif
 }
 
-// What a call of the C library came to, without a value.
+// The result of a call of the C library, without a value.
 inline returns<void> finish(shx_result code) {
   if (code != SHX_OK)
     return fail<void>(code, last_error_text());

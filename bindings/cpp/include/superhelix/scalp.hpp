@@ -53,7 +53,7 @@ class scalp {
     return detail::finish(code, std::move(follicles));
   }
 
-  // The frames of follicles on the scalp as it is now. vertices: as many as at rest, m; none: at rest.
+  // The frames of follicles on the current scalp. vertices: as many as at rest, m; none: at rest.
   returns<void> root_frames(span<const follicle> follicles, const output &frames, const input &vertices = {}) const {
     return detail::finish(shx_scalp_root_frames(get(), detail::given(vertices), follicles.data(), follicles.size(), &frames));
   }

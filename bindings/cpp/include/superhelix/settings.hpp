@@ -37,7 +37,7 @@ inline returns<suggestion> suggest_elements(const strand_def &strand, const sugg
   return detail::finish(code, found);
 }
 
-// What was measured of a kind of hair: "asian", "caucasian1", "caucasian2", "african", "h1", "h2", "ga1", "gc3".
+// The measurements of a hair type: "asian", "caucasian1", "caucasian2", "african", "h1", "h2", "ga1", "gc3".
 inline returns<hair_type> hair_type_from_name(const std::string &name) {
   hair_type hair;
   const shx_result code = shx_hair_type_from_name(name.c_str(), &hair);

@@ -47,7 +47,7 @@ inline returns<hair_type> hair_handle_to_type(const hair_handle &handle) {
   return detail::finish(code, hair);
 }
 
-// Force against stroke, step by step, and what it comes to.
+// Force over stroke, step by step, and its summary.
 struct combing_curve {
   std::vector<double> stroke, force, pressure;
   combing_result result{};

@@ -189,10 +189,10 @@ struct output : shx_output {
 inline namespace SUPERHELIX_WAY {
 namespace detail {
 
-// What a call takes for an output that may be left out.
+// The type of an optional output.
 inline const shx_output *wanted(const output &room) noexcept { return room.data == nullptr ? nullptr : &room; }
 
-// What a call takes for an input that may be left out.
+// The type of an optional input.
 inline const shx_input *given(const input &items) noexcept { return items.count == 0 ? nullptr : &items; }
 
 inline double *rows(span<curvature> values) noexcept { return values.empty() ? nullptr : values.data()->data(); }

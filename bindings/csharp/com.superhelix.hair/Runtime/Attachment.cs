@@ -20,7 +20,7 @@ namespace Superhelix
       Handle = new AttachmentHandle(made, null);
     }
 
-    /// <summary>Frees it. What was attached stays where it is.</summary>
+    /// <summary>Frees it. Attached things stay where they are.</summary>
     public void Dispose() { Handle.Dispose(); }
 
     /// <summary>Moves all smoothly to where it is when its carrier is at pose, over the next overSeconds of simulated time.</summary>

@@ -54,7 +54,7 @@ namespace Superhelix
       return suggestion;
     }
 
-    /// <summary>What was measured of a kind of hair: "asian", "caucasian1", "caucasian2", "african", "h1", "h2", "ga1", "gc3".</summary>
+    /// <summary>The measurements of a hair type: "asian", "caucasian1", "caucasian2", "african", "h1", "h2", "ga1", "gc3".</summary>
     public static HairType HairType(string name)
     {
       HairType hair = Superhelix.HairType.Default;

@@ -96,7 +96,7 @@ namespace Superhelix
       return points;
     }
 
-    /// <summary>What the file says beside points; empty if it does not.</summary>
+    /// <summary>The file's optional data; empty if absent.</summary>
     public float[] Attribute(CurveAttribute what)
     {
       UIntPtr count;

@@ -2,7 +2,7 @@ using System;
 
 namespace Superhelix
 {
-  // What the generated classes cannot have: callbacks, arrays without a count of their own.
+  // Members that cannot be generated: callbacks, arrays without a count of their own.
 
   public sealed unsafe partial class SolverDef
   {

@@ -20,7 +20,7 @@ namespace Superhelix
     private readonly double[] lengths;
     private readonly Curvature[] curvatures;
 
-    /// <summary>What came of each curve. One whose Result is not 0 could not be fitted: see Ok.</summary>
+    /// <summary>The result of each curve. A curve whose Result is not 0 could not be fitted: see Ok.</summary>
     public readonly FittedStrand[] Strands;
 
     internal FittedStrands(FittedStrand[] strands, int most, double[] lengths, Curvature[] curvatures)

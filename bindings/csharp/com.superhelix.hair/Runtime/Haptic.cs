@@ -35,7 +35,7 @@ namespace Superhelix
     }
 
     /// <summary>On the device's thread: its pose and velocity (m/s, rad/s, world axes), dt seconds after the last update, and the force (N) and the
-    /// torque about the handle's origin (N m) that the hand is to feel. Waits for nothing and makes no garbage.</summary>
+    /// torque about the handle's origin (N m) for the hand. Waits for nothing and makes no garbage.</summary>
     public void Update(Frame pose, Vec3 velocity, Vec3 angularVelocity, double dt, out Vec3 force, out Vec3 torque, ref HapticState state)
     {
       double* twist = stackalloc double[6];

@@ -36,7 +36,7 @@ namespace Superhelix
 
     internal RenderHair(RenderHairHandle handle) { Handle = handle; }
 
-    /// <summary>From bytes that Save gave. Of settings only WorkerCount and ParallelFor are looked at.</summary>
+    /// <summary>From the bytes of Save. Of settings only WorkerCount and ParallelFor count.</summary>
     public static RenderHair Load(In<byte> image, RenderSettings settings = null)
     {
       Library.EnsureMatches();

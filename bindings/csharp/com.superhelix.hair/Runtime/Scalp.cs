@@ -65,7 +65,7 @@ namespace Superhelix
       return follicles;
     }
 
-    /// <summary>The frames of follicles on the scalp as it is now. vertices: as many as at rest, m; left out: at rest.</summary>
+    /// <summary>The frames of follicles on the current scalp. vertices: as many as at rest, m; left out: at rest.</summary>
     public void RootFrames(In<Follicle> follicles, Items frames, Items vertices = default(Items))
     {
       fixed (Follicle* f = &follicles.Pin())

@@ -2,7 +2,7 @@ using System;
 
 namespace Superhelix
 {
-  /// <summary>Force against stroke, step by step, and what it comes to.</summary>
+  /// <summary>Force over stroke, step by step, and its summary.</summary>
   public struct CombingCurve
   {
     /// <summary>Position, m.</summary>

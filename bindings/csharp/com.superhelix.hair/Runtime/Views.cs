@@ -149,7 +149,7 @@ namespace Superhelix
       return new Items { address = address, stride = stride, count = count, format = format };
     }
 
-    /// <summary>The first so many items.</summary>
+    /// <summary>The first items.</summary>
     public Items First(int number)
     {
       if (number < 0 || number > count)
@@ -180,7 +180,7 @@ namespace Superhelix
       return ref new Same { Array = array }.Bytes[0];
     }
 
-    // What the C library takes; pinned is where Pin's answer was pinned.
+    // The C library's argument; pinned is the result of Pin.
     internal unsafe RawView View(byte* pinned)
     {
       return new RawView

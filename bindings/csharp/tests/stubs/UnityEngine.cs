@@ -97,7 +97,7 @@ namespace UnityEngine
     public Bounds bounds { get; set; }
     public int[] triangles { get; set; }
     public int[] lines;
-    // As in Unity: a copy each way.
+    // As in Unity: a copy in each direction.
     public Vector3[] vertices
     {
       get { return (Vector3[])points.Clone(); }

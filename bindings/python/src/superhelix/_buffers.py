@@ -69,7 +69,7 @@ def _rows(name: str, array: npt.NDArray[Any], widths: Sequence[int]) -> tuple[in
 
 
 def as_rows(name: str, values: ArrayLike, width: int | None = None) -> npt.NDArray[Any]:
-    """An array as it is; anything else as float64. A single item becomes one row."""
+    """An array unchanged; anything else as float64. A single item becomes one row."""
     if isinstance(values, np.ndarray):
         array = values
     else:

@@ -17,7 +17,7 @@ from superhelix.enums import LogLevel
 
 
 class Run(Protocol):
-    """What a parallel loop calls, from any of its threads, for a range of items: begin to end - 1. worker is any number that no other thread
+    """A parallel loop calls this, from any of its threads, for a range of items: begin to end - 1. worker is any number that no other thread
     has at the same time.
     """
 
@@ -40,7 +40,7 @@ class Failures:
 
     def __init__(self) -> None:
         self._by_thread: dict[int, BaseException] = {}
-        #: Whether there may be some: looked at after every call.
+        #: Whether there may be some: checked after every call.
         self.any = False
 
     def keep(self, error: BaseException) -> None:

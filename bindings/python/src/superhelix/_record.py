@@ -138,7 +138,7 @@ class RecordDescriptor(Generic[T, SetT]):
         raise NotImplementedError
 
     def refuse(self, value: object, expected: str) -> TypeError:
-        """What is raised for a value of a wrong type."""
+        """The error for a value of a wrong type."""
         return TypeError(f"{self.owner}.{self.name}: {value!r}; {expected} expected")
 
 

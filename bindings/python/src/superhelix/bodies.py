@@ -94,7 +94,7 @@ class BodyDef(records.BodyDef):
 
     @classmethod
     def shared(cls, shape_of: BodyId, **surface: Any) -> BodyDef:
-        """The shape of another body of the solver, as it is now."""
+        """The current shape of another body of the solver."""
         return cls(shape=Shape.SHARED, shape_of=shape_of, **surface)
 
     def _put_vertices(self, vertices: npt.ArrayLike) -> None:

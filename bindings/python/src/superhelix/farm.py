@@ -57,7 +57,7 @@ def run(
     binary: str | os.PathLike[str] | None = None,
     log: TextIO | None = sys.stderr,
 ) -> list[Outcome]:
-    """Does all tasks on a cluster and gathers what came of them, in their order.
+    """Does all tasks on a cluster and gathers their results, in order.
 
     A task that fails does not stop the others: its outcome says why. One whose worker dies is done again by another worker, and so is one that fails
     for other reasons than its inputs. Parts that an earlier call has done are not done again.
@@ -177,7 +177,7 @@ def follow(chains: Sequence[Sequence[Future[Any]]], log: TextIO | None) -> None:
 
 
 def gathered(task: Task, chain: Sequence[Future[Any]], folder: str) -> Outcome:
-    """The outcome of a task, whether its parts came to an end or not."""
+    """The outcome of a task, whether its parts finished or not."""
     parts = []
     for future in chain:
         try:

@@ -1,4 +1,4 @@
-"""Tasks of a farm: what is run, on its own and anywhere, and what came of it. Nothing here needs Dask.
+"""Tasks of a farm: a piece of work that can run anywhere by itself, and its result. Nothing here needs Dask.
 
 A task is one of
 
@@ -39,7 +39,7 @@ class FarmError(Exception):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a task."""
+    """The result of a task."""
 
     name: str
     settings: dict[str, Any]
@@ -129,7 +129,7 @@ def label(key: str, value: Any) -> str:
 
 
 def check(tasks: Sequence[Task]) -> None:
-    """Refuses tasks that would get into each other's way."""
+    """Refuses tasks that would interfere with each other."""
     seen = set()
     for task in tasks:
         if not task.name or not all(letter.isalnum() or letter in "-._=" for letter in task.name) or task.name.startswith("."):
@@ -150,7 +150,7 @@ def number_of_parts(task: Task) -> int:
 
 
 def do_part(task: Task, part: int, folder: str, binary: str, before: Any = None) -> dict[str, Any]:
-    """Does a part of a task, on whatever machine this is, and tells what came of it. ``before`` (the part before) is only waited for.
+    """Does a part of a task, on whatever machine this is, and reports its result. ``before`` (the part before) is only waited for.
 
     A part that was done before, with the same inputs and the same binary, is not done again.
 
@@ -201,7 +201,7 @@ def do_scene(task: Scene, part: int, place: Path, binary: str) -> dict[str, Any]
 def do_command(task: Command, _part: int, place: Path, binary: str) -> dict[str, Any]:
     """Runs the command in an empty folder, whose files are hashed by their names and bytes."""
     out = place / "out"
-    # What a worker that died has left.
+    # Leftovers of a worker that died.
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir()
     flags = [word for key, value in task.settings.items() if value is not False for word in ([key] if value is True else [key, str(value)])]
@@ -242,7 +242,7 @@ def run_binary(command: list[str]) -> str:
 
 
 def die_with_worker() -> Callable[[], None] | None:
-    """On Linux: what makes a child end with the worker that began it, so that nobody computes what another worker does again."""
+    """On Linux: makes a child end with the worker that started it, so that no work is done twice."""
     if sys.platform != "linux":
         return None
     prctl = ctypes.CDLL(None).prctl
@@ -374,7 +374,7 @@ def join_reports(report: dict[str, Any], later: Mapping[str, Any]) -> None:
 
 
 def finish(task: Task, parts: Sequence[Mapping[str, Any]], folder: str) -> Outcome:
-    """Gathers what the parts of a task came to."""
+    """Gathers the results of a task's parts."""
     place = Path(folder) / task.name
     attempts = sum(len(path.read_text(encoding="utf-8").splitlines()) for path in place.glob("part*.attempts"))
     seconds = sum(part.get("seconds", 0.0) for part in parts)
@@ -388,7 +388,7 @@ def finish(task: Task, parts: Sequence[Mapping[str, Any]], folder: str) -> Outco
     joined = join_parts([json.loads(Path(file).read_text(encoding="utf-8")) for file in files])
     out = place / "result.json"
     write(out, json.dumps(joined))
-    # How many steps and seconds it took is no part of what came of it.
+    # The numbers of steps and seconds are not part of the result.
     digest = hashlib.sha256(canonical({key: value for key, value in joined.items() if key != "report"}).encode()).hexdigest()
     return Outcome(**told, hash=digest, result=str(out))
 
@@ -407,7 +407,7 @@ def write(path: Path, text: str) -> None:
 
 @functools.cache
 def digest_of_binary(binary: str) -> str:
-    """Which build it is: another one may come to other numbers."""
+    """The build: another one may give other numbers."""
     try:
         return hashlib.sha256(Path(binary).read_bytes()).hexdigest()
     except OSError as error:

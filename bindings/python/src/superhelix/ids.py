@@ -94,7 +94,7 @@ class Ids(Generic[IdT]):
 
     @classmethod
     def _of(cls: type[IdsT], ids: object) -> IdsT:
-        """What a function was given, as many ids; raises where it is something else."""
+        """A function's argument as an array of ids; raises for anything else."""
         if isinstance(ids, cls):
             return ids
         if isinstance(ids, cls._ID):

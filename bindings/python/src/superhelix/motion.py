@@ -30,7 +30,7 @@ def motion_from_samples(times: npt.ArrayLike, poses: Any) -> Motion:
     rows = np.array(frame_rows("poses", poses).reshape(-1, 7))
     if len(rows) != len(moments) or len(rows) == 0 or np.any(np.diff(moments) <= 0.0):
         raise ValueError(f"times: {len(moments)} times for {len(rows)} poses; as many, ascending, expected")
-    # The shorter way round from each to the next.
+    # The shorter rotation from each to the next.
     for place in range(1, len(rows)):
         if rows[place, 3:] @ rows[place - 1, 3:] < 0.0:
             rows[place, 3:] *= -1.0

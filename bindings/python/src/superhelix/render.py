@@ -80,7 +80,7 @@ class RenderHair(Owner):
 
     __slots__ = ("_failures", "_guessed", "points_per_strand", "strand_count")
     _failures: Failures
-    #: Whether points_per_strand is what load was told, and not yet known to be right.
+    #: Whether points_per_strand is load's argument, and not yet confirmed.
     _guessed: bool
     strand_count: int
     points_per_strand: int
@@ -280,7 +280,7 @@ class RenderPose(Owner):
         return out
 
     def _check_points(self, count: int, view: Any, out: npt.NDArray[Any]) -> None:
-        """Raises where loaded hair has fewer points a strand than load was told: the library wants room for more than one point less."""
+        """Raises if loaded hair has fewer points per strand than load's argument: the library wants room for more than one point less."""
         if count == 0:
             return
         short = Output("out", out, (3, 4), 0).view

@@ -1,4 +1,4 @@
-"""What strands are made from, many at once."""
+"""Definitions of many strands at once."""
 
 from __future__ import annotations
 

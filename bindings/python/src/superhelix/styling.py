@@ -87,7 +87,7 @@ def run_combing_test(handle: HairHandle, test: CombingTest | None = None) -> Com
 
 
 class RingCombReport(NamedTuple):
-    """What a step did: strands on teeth, caught, combed to the tip and let go in this step; force, N, and torque, N m, on the comb."""
+    """The report of a step: strands on teeth, caught, combed to the tip and let go in this step; force, N, and torque, N m, on the comb."""
 
     held: int
     caught: int

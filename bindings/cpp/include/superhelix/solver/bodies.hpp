@@ -93,7 +93,7 @@ class solver_bodies {
     return detail::finish(shx_solver_set_body_filter(raw(), id, groups, mask));
   }
 
-  // What strands did to each body in the last substep: force (N) and torque about the body's origin (N m), world axes.
+  // The action of strands on each body in the last substep: force (N) and torque about the body's origin (N m), world axes.
   returns<void> body_wrenches(span<const body_id> ids, const output &forces, const output &torques = {}) const {
     return detail::finish(
         shx_solver_body_wrenches(raw(), ids.data(), ids.size(), detail::wanted(forces), detail::wanted(torques)));

@@ -35,7 +35,7 @@ class solver_contact {
     return detail::finish(code, options);
   }
 
-  // What strands contact: one for all, or one for each.
+  // The contact parameters of strands: one for all, or one for each.
   returns<void> set_strand_contact(span<const strand_id> ids, span<const strand_contact> contacts) {
     detail::sizes sizes("set_strand_contact");
     if (contacts.size() != 1 && sizes.exactly("contacts", contacts.size(), ids.size()).wrong())
@@ -47,7 +47,7 @@ class solver_contact {
   returns<void> clear_strand_contact(span<const strand_id> ids) {
     return detail::finish(shx_solver_set_strand_contact(raw(), ids.data(), ids.size(), nullptr, 0));
   }
-  // What a strand contacts; none where it contacts nothing.
+  // The contact parameters of a strand; none without contact.
   returns<std::optional<strand_contact>> get_strand_contact(strand_id id) const {
     strand_contact contact;
     std::uint32_t touches = 0;

@@ -93,7 +93,7 @@ class solver_strands {
     return detail::finish(code, number);
   }
 
-  // How each strand fared in the last step: SHX_STRAND_CONVERGED, _UNCONVERGED or _QUARANTINED.
+  // The status of each strand after the last step: SHX_STRAND_CONVERGED, _UNCONVERGED or _QUARANTINED.
   returns<void> strand_status(span<const strand_id> ids, span<shx_strand_status> out_status) const {
     detail::sizes sizes("strand_status");
     if (sizes.room("out_status", out_status.size(), ids.size()).wrong())

@@ -56,7 +56,7 @@ class solver_styling {
     return detail::finish(code, std::move(cuts));
   }
 
-  // Heats strands for so many seconds: how much of each was hot, m.
+  // Heats strands for some seconds; returns the heated length of each, m.
   returns<std::vector<double>> heat_strands(const heat_def &def, span<const strand_id> ids, double seconds) {
     std::vector<double> heated(ids.size());
     const shx_result code = shx_solver_heat_strands(raw(), &def, ids.data(), ids.size(), seconds, heated.data());

@@ -168,7 +168,7 @@ namespace Superhelix
       Check(Native.shx_solver_set_body_filter(Handle, id, groups, mask));
     }
 
-    /// <summary>What strands did to each body in the last substep: force (N) and torque about the body's origin (N m), world axes.</summary>
+    /// <summary>The action of strands on each body in the last substep: force (N) and torque about the body's origin (N m), world axes.</summary>
     public void BodyWrenches(In<BodyId> ids, Items forces, Items torques = default(Items))
     {
       fixed (BodyId* i = &ids.Pin())
@@ -194,7 +194,7 @@ namespace Superhelix
       return options;
     }
 
-    /// <summary>What strands contact: one for all, or one for each.</summary>
+    /// <summary>The contact parameters of strands: one for all, or one for each.</summary>
     public void SetStrandContact(In<StrandId> ids, params StrandContact[] contacts)
     {
       if (contacts == null)
@@ -215,7 +215,7 @@ namespace Superhelix
         Check(Native.shx_solver_set_strand_contact(Handle, i, ids.Size, null, UIntPtr.Zero));
     }
 
-    /// <summary>What a strand contacts; null where it contacts nothing.</summary>
+    /// <summary>The contact parameters of a strand; null without contact.</summary>
     public StrandContact? GetStrandContact(StrandId id)
     {
       StrandContact contact = StrandContact.Default;
@@ -278,7 +278,7 @@ namespace Superhelix
         Check(Native.shx_solver_set_permitted_overlap(Handle, id, a, w, d, (UIntPtr)(uint)overlap.Arclengths.Length));
     }
 
-    /// <summary>What a strand may overlap.</summary>
+    /// <summary>The permitted overlap of a strand.</summary>
     public PermittedOverlap GetPermittedOverlap(StrandId id)
     {
       UIntPtr count;

@@ -86,7 +86,7 @@ namespace Superhelix
       return number;
     }
 
-    /// <summary>How each strand fared in the last step.</summary>
+    /// <summary>The status of each strand after the last step.</summary>
     public void StrandStatuses(In<StrandId> ids, Out<StrandStatus> statuses)
     {
       Error.Room("statuses", statuses.Count, ids.Count);

@@ -59,7 +59,7 @@ namespace Superhelix
       return cuts;
     }
 
-    /// <summary>Heats strands for so many seconds. heated: how much of each was hot, m.</summary>
+    /// <summary>Heats strands for some seconds. heated: the heated length of each, m.</summary>
     public void HeatStrands(HeatDef def, In<StrandId> ids, double seconds, Out<double> heated = default(Out<double>))
     {
       Error.Optional("heated", heated.Count, ids.Count);

@@ -8,7 +8,7 @@ namespace Superhelix
 {
   /// <summary>
   /// A head of hair: a groom file's strands as guides, which follow this object and keep out of the head's mesh, and many render strands that follow them,
-  /// drawn as lines. Put it on the head. Unity's axes are left-handed: x is mirrored on the way in and out. Once it runs it makes no garbage.
+  /// drawn as lines. Put it on the head. Unity's axes are left-handed: x is mirrored on input and output. Once it runs it makes no garbage.
   /// </summary>
   [AddComponentMenu("Superhelix/Hair")]
   [RequireComponent(typeof(MeshFilter))]
@@ -51,7 +51,7 @@ namespace Superhelix
     private Vector3 last;
     private StepReport report;
 
-    /// <summary>What the last step did.</summary>
+    /// <summary>The report of the last step.</summary>
     public StepReport Report { get { return report; } }
     /// <summary>How many guides there are; 0 before it is enabled.</summary>
     public int GuideCount { get { return guides == null ? 0 : guides.Length; } }
@@ -141,7 +141,7 @@ namespace Superhelix
       headVertices = new Vec3[corners.Length];
       for (int i = 0; i < corners.Length; i++)
         headVertices[i] = In(corners[i]);
-      // Mirrored, so wound the other way round.
+      // Mirrored, so the winding is reversed.
       triangles = new Triangle[indices.Length / 3];
       for (int i = 0; i < triangles.Length; i++)
         triangles[i] = new Triangle((uint)indices[3 * i], (uint)indices[3 * i + 2], (uint)indices[3 * i + 1]);

@@ -134,7 +134,7 @@ class Stepping(SolverBase):
         return self._image(functions.shx_solver_snapshot_shapes)
 
     def _image(self, write: Callable[[Any, Any, int, Any], int]) -> bytes:
-        """What a function writes to memory whose size it says first."""
+        """The output of a function that first reports its size."""
         size = ctypes.c_size_t()
         self._call(write, None, 0, ctypes.byref(size))
         image = ctypes.create_string_buffer(max(size.value, 1))
