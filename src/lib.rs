@@ -133,3 +133,33 @@ pub mod internals {
 
     expose! { analysis capi chain contact energy error files groom haptics math meter rod solver step styling workers }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::{Path, PathBuf};
+
+    /// Files below a folder.
+    fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in std::fs::read_dir(folder).expect("sources") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() { files(&path, found) } else { found.push(path) }
+        }
+    }
+
+    /// `unsafe_code` is denied to the crate (`Cargo.toml`); these modules alone allow it to themselves.
+    #[test]
+    fn unsafe_code_is_in_the_c_interface_and_the_vector_registers_alone() {
+        let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        let mut all = Vec::new();
+        files(&source, &mut all);
+        let allows = |path: &PathBuf| std::fs::read_to_string(path).expect("text").contains(concat!("allow(unsafe", "_code"));
+        let mut allowed: Vec<String> = all
+            .iter()
+            .filter(|path| allows(path))
+            .map(|path| path.strip_prefix(&source).expect("a source").to_string_lossy().replace('\\', "/"))
+            .collect();
+        allowed.sort();
+        let expected = ["capi/mod.rs", "math/lanes/neon.rs", "math/lanes/simd128.rs", "math/lanes/x86.rs", "math/prefetch.rs"];
+        assert_eq!(allowed, expected);
+    }
+}

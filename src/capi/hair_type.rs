@@ -6,6 +6,7 @@ use std::mem::{offset_of, size_of};
 use super::buffers::{Places, Strided, array};
 use super::errors::shx_result;
 use super::guard::call;
+use super::materials::with_material;
 use super::solver_def::check_reserved;
 use super::types::MAX_COUNT;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
@@ -376,19 +377,11 @@ pub unsafe extern "C" fn shx_hair_strands(
                 }
                 other => other,
             })?;
-            let material = strand.material;
-            all.push(shx_hair_strand {
-                radius: material.radius,
-                density: material.density,
-                youngs_modulus: material.youngs_modulus,
-                poisson_ratio: material.poisson_ratio,
-                internal_friction: material.internal_friction,
-                viscosity: material.viscosity,
-                air_drag: material.air_drag,
+            all.push(with_material!(shx_hair_strand, &strand.material, {
                 root_turn: strand.root_turn,
                 friction_along: friction.along,
                 friction_against: friction.against,
-            });
+            }));
             natural.extend(strand.natural);
             first = end;
         }

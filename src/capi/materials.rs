@@ -11,6 +11,41 @@ use crate::error::{Error, Result};
 use crate::rod::material::Material;
 use crate::solver::id::StrandId;
 
+/// A structure of a material's fields and of others, see [`material_of`].
+macro_rules! with_material {
+    ($structure:ident, $material:expr, { $($field:ident: $value:expr),* $(,)? }) => {{
+        let material: &$crate::rod::material::Material = $material;
+        $structure {
+            radius: material.radius,
+            density: material.density,
+            youngs_modulus: material.youngs_modulus,
+            poisson_ratio: material.poisson_ratio,
+            internal_friction: material.internal_friction,
+            viscosity: material.viscosity,
+            air_drag: material.air_drag,
+            $($field: $value,)*
+        }
+    }};
+}
+pub(super) use with_material;
+
+/// The material, unchecked, of a structure that has its fields: C structures have them flat, each at its own place.
+macro_rules! material_of {
+    ($structure:expr) => {{
+        let structure = $structure;
+        $crate::rod::material::Material {
+            radius: structure.radius,
+            density: structure.density,
+            youngs_modulus: structure.youngs_modulus,
+            poisson_ratio: structure.poisson_ratio,
+            internal_friction: structure.internal_friction,
+            viscosity: structure.viscosity,
+            air_drag: structure.air_drag,
+        }
+    }};
+}
+pub(super) use material_of;
+
 /// Cross-section and material of a strand, as in shx_strand_def. Fill it
 /// with shx_material_init, then change what you need.
 #[repr(C)]
@@ -49,32 +84,14 @@ unsafe impl Versioned for shx_material {
 
 impl shx_material {
     pub(super) fn of(material: &Material) -> Self {
-        Self {
-            struct_size: size_of::<Self>() as u32,
-            reserved0: 0,
-            radius: material.radius,
-            density: material.density,
-            youngs_modulus: material.youngs_modulus,
-            poisson_ratio: material.poisson_ratio,
-            internal_friction: material.internal_friction,
-            viscosity: material.viscosity,
-            air_drag: material.air_drag,
-        }
+        with_material!(shx_material, material, { struct_size: size_of::<Self>() as u32, reserved0: 0 })
     }
 
     pub(super) fn material(&self, argument: &str) -> Result<Material> {
         if self.reserved0 != 0 {
             return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
         }
-        let material = Material {
-            radius: self.radius,
-            density: self.density,
-            youngs_modulus: self.youngs_modulus,
-            poisson_ratio: self.poisson_ratio,
-            internal_friction: self.internal_friction,
-            viscosity: self.viscosity,
-            air_drag: self.air_drag,
-        };
+        let material = material_of!(self);
         material.check(argument)?;
         Ok(material)
     }

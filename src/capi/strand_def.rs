@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::buffers::array;
 use super::errors::shx_result;
+use super::materials::{material_of, with_material};
 use super::solver_def::check_reserved;
 use super::types::shx_frame;
 use super::versioned::{Versioned, initialise};
@@ -85,20 +86,12 @@ unsafe impl Versioned for shx_strand_def {
     const FIRST_SIZE: usize = offset_of!(shx_strand_def, initial_curvatures);
 
     fn defaults() -> Self {
-        let material = Material::default();
         let root = Frame::default();
-        Self {
+        with_material!(shx_strand_def, &Material::default(), {
             struct_size: size_of::<Self>() as u32,
             element_count: 0,
             length: 0.0,
             element_lengths: std::ptr::null(),
-            radius: material.radius,
-            density: material.density,
-            youngs_modulus: material.youngs_modulus,
-            poisson_ratio: material.poisson_ratio,
-            internal_friction: material.internal_friction,
-            viscosity: material.viscosity,
-            air_drag: material.air_drag,
             dofs: Freedoms::ALL.bits(),
             reserved0: 0,
             root: (&root).into(),
@@ -109,7 +102,7 @@ unsafe impl Versioned for shx_strand_def {
             root_velocity: [0.0; 3],
             root_angular_velocity: [0.0; 3],
             reserved: [0; 4],
-        }
+        })
     }
 }
 
@@ -165,15 +158,7 @@ impl shx_strand_def {
         let definition = StrandDef {
             // SAFETY: the caller's lengths.
             element_lengths: unsafe { self.element_lengths(argument, count)? },
-            material: Material {
-                radius: self.radius,
-                density: self.density,
-                youngs_modulus: self.youngs_modulus,
-                poisson_ratio: self.poisson_ratio,
-                internal_friction: self.internal_friction,
-                viscosity: self.viscosity,
-                air_drag: self.air_drag,
-            },
+            material: material_of!(self),
             freedoms: named(argument, "dofs", |name| Freedoms::from_bits(name, self.dofs))?,
             root: named(argument, "root", |name| self.root.checked(name))?,
             natural,

@@ -185,10 +185,10 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                 }
                 for i in 0..D {
                     for k in 0..i {
-                        y[i] -= y[k] * one(&done.factor[i][k]);
+                        y[i] -= y[k] * one(&done.reduced.factor[i][k]);
                     }
-                    y[i] = y[i] * one(&done.factor[i][i]);
-                    let w: [T; 6] = std::array::from_fn(|column| one(&done.coupling[i][column]));
+                    y[i] = y[i] * one(&done.reduced.factor[i][i]);
+                    let w: [T; 6] = std::array::from_fn(|column| one(&done.reduced.coupling[i][column]));
                     moment -= Vec3([w[0], w[1], w[2]]).scale(y[i]);
                     force -= Vec3([w[3], w[4], w[5]]).scale(y[i]);
                 }
@@ -206,12 +206,12 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                 let done = &done[count - 1 - index];
                 let mut delta = scratch[index];
                 for k in (0..D).rev() {
-                    let w: [T; 6] = std::array::from_fn(|column| one(&done.coupling[k][column]));
+                    let w: [T; 6] = std::array::from_fn(|column| one(&done.reduced.coupling[k][column]));
                     let mut value = delta[k] - Vec3([w[0], w[1], w[2]]).dot(psi) - Vec3([w[3], w[4], w[5]]).dot(rho);
                     for later in k + 1..D {
-                        value -= delta[later] * one(&done.factor[later][k]);
+                        value -= delta[later] * one(&done.reduced.factor[later][k]);
                     }
-                    delta[k] = value * one(&done.factor[k][k]);
+                    delta[k] = value * one(&done.reduced.factor[k][k]);
                 }
                 while 3 * station < first + T::LANES && loads.get(station).is_some_and(|load| load.element == index) {
                     let load = &loads[station];

@@ -2,6 +2,7 @@
 //!
 //! It works on plain numbers and whole blocks. The time step's own elimination packs symmetric blocks and works on lanes.
 
+use super::reduced::Reduced;
 use crate::math::vector::{Mat3, Vec3};
 
 /// What lies downstream of a node, as seen from there: `[A B; Bᵀ C]` and its pull.
@@ -12,15 +13,6 @@ pub(crate) struct Downstream {
     pub c: Mat3<f64>,
     pub moment: Vec3<f64>,
     pub force: Vec3<f64>,
-}
-
-/// An eliminated element: the Cholesky factor of its freedoms (diagonal inverted), their coupling to the left end's ψ and ρ, and
-/// their force. The last two are multiplied by the factor's inverse.
-#[derive(Clone, Copy)]
-pub(crate) struct Reduced<const D: usize> {
-    factor: [[f64; D]; D],
-    coupling: [[f64; 6]; D],
-    force: [f64; D],
 }
 
 impl Downstream {
@@ -51,21 +43,8 @@ impl Downstream {
         rho: &[Vec3<f64>; D],
         pull: &[f64; D],
         free: [bool; D],
-    ) -> Reduced<D> {
-        let mut done = Reduced { factor, coupling: [[0.0; 6]; D], force: [0.0; D] };
-        for i in (0..D).filter(|i| free[*i]) {
-            let ([a, b, c], [d, e, f]) = (psi[i].0, rho[i].0);
-            let mut row = [a, b, c, d, e, f];
-            let mut value = pull[i];
-            for k in 0..i {
-                for column in 0..6 {
-                    row[column] -= factor[i][k] * done.coupling[k][column];
-                }
-                value -= factor[i][k] * done.force[k];
-            }
-            done.coupling[i] = row.map(|x| x * factor[i][i]);
-            done.force[i] = value * factor[i][i];
-        }
+    ) -> Reduced<f64, D> {
+        let done = Reduced::new(factor, psi, rho, pull, free);
         for (w, y) in done.coupling.iter().zip(done.force) {
             for row in 0..3 {
                 for column in 0..3 {
@@ -87,28 +66,5 @@ impl Downstream {
             }
         }
         done
-    }
-}
-
-impl<const D: usize> Reduced<D> {
-    /// The change of the freedoms when the left end turns by ψ and moves by ρ.
-    pub fn change(&self, psi: Vec3<f64>, rho: Vec3<f64>) -> [f64; D] {
-        let mut delta = [0.0; D];
-        for i in (0..D).rev() {
-            let mut value = self.force[i];
-            for axis in 0..3 {
-                value -= self.coupling[i][axis] * psi.0[axis] + self.coupling[i][axis + 3] * rho.0[axis];
-            }
-            for k in i + 1..D {
-                value -= self.factor[k][i] * delta[k];
-            }
-            delta[i] = value * self.factor[i][i];
-        }
-        delta
-    }
-
-    /// The squares that the elimination completes, one per freedom: together twice the fall of the quadratic model.
-    pub fn squares(&self) -> impl Iterator<Item = f64> {
-        self.force.into_iter().rev().map(|force| force * force)
     }
 }

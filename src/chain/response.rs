@@ -5,7 +5,7 @@
 //! downstream is eliminated, L y = JᵀF + ΨᵀM − …; δκ = L⁻ᵀ(y − W u).
 
 use super::axes::{axes, for_axes};
-use super::elimination::{Eliminated, Elimination};
+use super::elimination::{Eliminated, Elimination, Walk};
 use super::load::Load;
 use super::system::Direction;
 use crate::math::lane::{Kernel, Lane};
@@ -117,10 +117,10 @@ fn direction<T: Lane, const D: usize>(
         }
         for i in 0..D {
             for k in 0..i {
-                y[i] -= y[k] * done.factor[i][k];
+                y[i] -= y[k] * done.reduced.factor[i][k];
             }
-            y[i] = y[i] * done.factor[i][i];
-            let w = &done.coupling[i];
+            y[i] = y[i] * done.reduced.factor[i][i];
+            let w = &done.reduced.coupling[i];
             moment -= Vec3([w[0], w[1], w[2]]).scale(y[i]);
             force -= Vec3([w[3], w[4], w[5]]).scale(y[i]);
         }
@@ -132,20 +132,17 @@ fn direction<T: Lane, const D: usize>(
     change.clear();
     change.resize(count, [T::zero(); 3]);
     moved.clear();
-    let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
-    let (mut descent, mut rotation_squared, mut rotation_sum) = (T::zero(), T::zero(), T::zero());
+    let mut walk = Walk::from_root();
+    let mut descent = T::zero();
     for index in 0..count {
         let element = &kinematics.elements[index];
         let done = &eliminated[count - 1 - index];
-        let mut delta = [T::zero(); D];
+        let (psi, rho) = (walk.psi, walk.rho);
+        let delta = done.reduced.substituted(|i| {
+            let w = &done.reduced.coupling[i];
+            done.reduced.force[i] + left_over[index][i] - Vec3([w[0], w[1], w[2]]).dot(psi) - Vec3([w[3], w[4], w[5]]).dot(rho)
+        });
         for i in (0..D).rev() {
-            let w = &done.coupling[i];
-            let mut value =
-                done.reduced[i] + left_over[index][i] - Vec3([w[0], w[1], w[2]]).dot(psi) - Vec3([w[3], w[4], w[5]]).dot(rho);
-            for k in i + 1..D {
-                value -= done.factor[k][i] * delta[k];
-            }
-            delta[i] = value * done.factor[i][i];
             descent += delta[i] * done.force[i];
             change[index][axes[i]] = delta[i];
         }
@@ -154,16 +151,7 @@ fn direction<T: Lane, const D: usize>(
             descent += displacement.dot(forces[moved.len()]);
             moved.push(displacement);
         }
-        let (mut next_psi, mut next_rho) = (psi, rho + psi.cross(element.end));
-        for i in 0..D {
-            next_psi += done.psi[i].scale(delta[i]);
-            next_rho += done.jacobian[i].scale(delta[i]);
-        }
-        let turned = next_psi.norm_squared();
-        rotation_squared = rotation_squared.larger(turned);
-        rotation_sum += turned;
-        psi = element.turn.apply_transposed(next_psi);
-        rho = element.turn.apply_transposed(next_rho);
+        walk.pass(element, done, &delta);
     }
-    Direction { descent, rotation_squared, rotation_sum, repaired: T::zero(), condition: 0.0 }
+    walk.direction(descent, T::zero())
 }

@@ -6,7 +6,7 @@
 //!
 //! Files:
 //!
-//! - `drag.rs`: Viscous drag of the air (Bertails et al. 2006, eq. 5a) against wind.
+//! - `drag.rs`: Viscous drag of the air (Bertails et al. 2006, eq. 5a) against wind: the force −ν (v − wind) per unit length.
 //! - `elastic.rs`: Elastic energy (Bertails et al. 2006, eq. 5c): ½ EIᵢ (κᵢ − κᵢⁿ)² per unit length.
 //! - `energies.rs`: The energies of a strand: kinetic, elastic and gravitational.
 //! - `friction.rs`: Internal friction: (γ + μ EIᵢ)/(2h) (κᵢ − κ_t)² per unit length, with γ as in Bertails et al. 2006, eq. 5d.

@@ -5,6 +5,7 @@
 //! - `entire.rs`: Stumpff's entire functions, from which a helix is made, exact through zero curvature.
 //! - `frame.rs`: A rigid pose: the position and orientation of a strand's root or of one of its cross-sections.
 //! - `lane.rs`: The number type of the kernels: one `f64`, or one number per strand, side by side in a vector register.
+//! - `levenberg_marquardt.rs`: The loop of Levenberg and Marquardt's method: iterations of trial steps with more and more damping, until one of them lowers the cost.
 //! - `nurbs.rs`: Points of rational B-splines of any order, by de Boor's algorithm.
 //! - `point_spline.rs`: A path through points with continuous acceleration: the cubic spline.
 //! - `point_tree.rs`: Nearest-point queries in space: a balanced k-d tree (Bentley 1975) in one array.
@@ -24,6 +25,7 @@ pub mod entire;
 pub mod frame;
 pub mod lane;
 pub mod lanes;
+pub(crate) mod levenberg_marquardt;
 pub mod nurbs;
 pub mod point_spline;
 pub(crate) mod point_tree;

@@ -83,6 +83,19 @@ impl Material {
         Ok(())
     }
 
+    /// Its values in the order of its fields, as snapshots have them.
+    pub(crate) fn values(&self) -> [f64; 8] {
+        let [first, second] = self.radius;
+        let Self { density, youngs_modulus, poisson_ratio, internal_friction, viscosity, air_drag, .. } = *self;
+        [first, second, density, youngs_modulus, poisson_ratio, internal_friction, viscosity, air_drag]
+    }
+
+    /// The material of such values, unchecked.
+    pub(crate) fn of_values(values: [f64; 8]) -> Self {
+        let [first, second, density, youngs_modulus, poisson_ratio, internal_friction, viscosity, air_drag] = values;
+        Self { radius: [first, second], density, youngs_modulus, poisson_ratio, internal_friction, viscosity, air_drag }
+    }
+
     /// EI0 (twist), EI1, EI2 (bending about n1 and n2), N·m².
     pub fn stiffness(&self) -> [f64; 3] {
         let [a1, a2] = self.radius;

@@ -10,6 +10,7 @@ use faer::Mat;
 use super::Surroundings;
 use super::root_path::RootPath;
 use crate::chain::force;
+use crate::energy::drag;
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
@@ -81,11 +82,11 @@ impl Dynamics<'_> {
     ) -> (Kinematics<f64>, Vec<Vec3<f64>>) {
         let (kinematics, motion) = self.kinematics(t, q);
         let density = self.model.linear_density;
-        let drag = self.model.material.air_drag;
+        let air_drag = self.model.material.air_drag;
         let mut forces = vec![Vec3::zero(); kinematics.points.len()];
         velocity::for_each_point(&kinematics, rates, &motion, |p, v, a| {
-            forces[p] =
-                ((self.surroundings.gravity - a).scale(density) - (v - self.surroundings.wind).scale(drag)).scale(self.weight(p));
+            forces[p] = ((self.surroundings.gravity - a).scale(density) - drag::resistance(v, self.surroundings.wind, air_drag))
+                .scale(self.weight(p));
         });
         velocity::for_each_point(&kinematics, accelerations, &RootMotion::still(), |p, a, _| {
             forces[p] -= a.scale(density * self.weight(p));

@@ -6,25 +6,22 @@
 
 use nalgebra::Vector3;
 
+use super::context::StepContext;
 use super::iterate::wrench;
 use super::members::{self, Members, Reads};
 use super::workspace::Workspace;
-use super::{Setting, StrandOutcome, stages, whole};
+use super::{StrandOutcome, stages, whole};
 use crate::chain::system::LinearSolve;
-use crate::math::lane::{Lane, MAX_LANES, Precision};
+use crate::energy::drag;
+use crate::math::lane::{Lane, Precision};
 use crate::math::vector::Vec3;
 use crate::rod::velocity::{self, RootMotion};
 
 /// Takes strands through a step of `h` seconds; see [`super::whole::Take`].
 #[inline(always)]
-pub fn take<T: Lane, S: LinearSolve<T>>(
-    members: &dyn Members,
-    setting: &Setting,
-    h: f64,
-    workspace: &mut Workspace<T>,
-    solver: &mut S,
-    outcomes: &mut [StrandOutcome; MAX_LANES],
-) {
+pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
+    let (members, setting, h) = (context.members, context.setting, context.h);
+    let (workspace, solver, outcomes) = (&mut *context.workspace, &mut *context.solver, &mut *context.outcomes);
     let rule = setting.rules.rule(members.state(0).rule);
     let freedoms = members.model(0).freedoms;
     let (axes, free) = (freedoms.axes(), freedoms.count());
@@ -43,13 +40,13 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
     iterate.system.rotation_stiffness = T::zero();
     {
         let system = &mut iterate.system;
-        let (density, drag) = (loaded.linear_density, loaded.air_drag);
+        let (density, air_drag) = (loaded.linear_density, loaded.air_drag);
         velocity::for_each_point(&iterate.kinematics, &loaded.rates, &start, |p, v, a| {
             let weight = T::splat(rule.weights[p % per_element]) * loaded.lengths[p / per_element];
             let mut force = (loaded.gravity - a).scale(density);
             if loaded.has_drag {
                 let wind = if loaded.has_air { loaded.air[p] } else { loaded.wind };
-                force -= (v - wind).scale(drag);
+                force -= drag::resistance(v, wind, air_drag);
             }
             system.point_stiffness[p] = density * weight;
             system.point_force[p] = force.scale(step * weight);

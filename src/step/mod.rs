@@ -2,6 +2,7 @@
 //!
 //! Files:
 //!
+//! - `context.rs`: What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
 //! - `damping.rs`: Levenberg–Marquardt damping of the rotations in Newton's iteration: the parameter λ, N·m/rad, from iteration to iteration.
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium of a strand under gravity: a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
@@ -32,6 +33,7 @@
 //! - `whole.rs`: A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 //! - `workspace.rs`: The scratch memory of a step, one per worker, kept between strands and steps so that nothing is allocated once it has grown.
 
+pub mod context;
 pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;

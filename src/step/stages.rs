@@ -10,6 +10,7 @@
 //! In f32 curvatures are pairs of a rounded part, which places the points, and a remainder, which moves them by J·remainder to
 //! first order.
 
+use super::context::StepContext;
 use super::iterate::{Iterate, Problem, choose_start};
 use super::members::{self, Loaded, Members, Reads};
 use super::newton;
@@ -28,29 +29,24 @@ use crate::rod::kinematics::{self, Kinematics};
 
 /// Takes strands through a step of `h` seconds; the workspace then holds the result. See [`super::whole::Take`].
 #[inline(always)]
-pub fn take<T: Lane, S: LinearSolve<T>>(
-    tableau: &Tableau,
-    members: &dyn Members,
-    setting: &Setting,
-    h: f64,
-    workspace: &mut Workspace<T>,
-    solver: &mut S,
-    outcomes: &mut [StrandOutcome; MAX_LANES],
-) {
+pub fn take<T: Lane, S: LinearSolve<T>>(tableau: &Tableau, context: &mut StepContext<'_, T, S>) {
+    let (members, setting, h) = (context.members, context.setting, context.h);
+    let workspace = &mut *context.workspace;
     let rule = setting.rules.rule(members.state(0).rule);
     workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: false });
     base(rule, workspace);
-    *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
+    *context.outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
     for index in 0..tableau.stages {
+        let workspace = &mut *context.workspace;
         displace(index, tableau, workspace);
         let span = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
         let step = workspace.loaded.step;
         let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(span) * step };
-        solve_stage(times, tableau.times[index] * h, members, setting, workspace, solver, outcomes);
+        solve_stage(times, tableau.times[index] * h, context);
     }
     if setting.options.error_tolerance > 0.0 {
-        let error = local_error::of_stages(tableau, workspace);
-        store_error(error, members, workspace, outcomes);
+        let error = local_error::of_stages(tableau, context.workspace);
+        store_error(error, members, context.workspace, context.outcomes);
     }
 }
 
@@ -58,20 +54,14 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
 /// positions, velocities and curvatures, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, where ω is the ratio of
 /// this step to the last and a₀ = (1+2ω)/(1+ω). Needs a history: see [`leans_on_past`].
 #[inline(always)]
-fn backward_difference<T: Lane, S: LinearSolve<T>>(
-    members: &dyn Members,
-    setting: &Setting,
-    h: f64,
-    workspace: &mut Workspace<T>,
-    solver: &mut S,
-    outcomes: &mut [StrandOutcome; MAX_LANES],
-) {
-    let (times, ratio) = start_backward_difference(members, setting, h, workspace);
-    *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
-    let offset = solve_stage(times, h, members, setting, workspace, solver, outcomes);
+fn backward_difference<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
+    let (members, setting, h) = (context.members, context.setting, context.h);
+    let (times, ratio) = start_backward_difference(members, setting, h, context.workspace);
+    *context.outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
+    let offset = solve_stage(times, h, context);
     if setting.options.error_tolerance > 0.0 {
-        let error = local_error::of_backward_differences(ratio, offset, workspace);
-        store_error(error, members, workspace, outcomes);
+        let error = local_error::of_backward_differences(ratio, offset, context.workspace);
+        store_error(error, members, context.workspace, context.outcomes);
     }
 }
 
@@ -141,18 +131,11 @@ pub(super) fn start_euler<T: Lane>(
 /// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's
 /// size, has no history and takes two implicit Runge–Kutta stages.
 #[inline(always)]
-pub fn two_step<T: Lane, S: LinearSolve<T>>(
-    members: &dyn Members,
-    setting: &Setting,
-    h: f64,
-    workspace: &mut Workspace<T>,
-    solver: &mut S,
-    outcomes: &mut [StrandOutcome; MAX_LANES],
-) {
-    if leans_on_past(members.state(0), h) {
-        backward_difference(members, setting, h, workspace, solver, outcomes);
+pub fn two_step<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
+    if leans_on_past(context.members.state(0), context.h) {
+        backward_difference(context);
     } else {
-        take(&tableau::TWO_STAGES, members, setting, h, workspace, solver, outcomes);
+        take(&tableau::TWO_STAGES, context);
     }
 }
 
@@ -177,15 +160,9 @@ pub(super) struct StageTimes<T> {
 /// Solves the stage that ends `seconds` after the start of the step, for the strands that no earlier stage lost; it becomes the
 /// last stage. Returns how far the roots' origins moved.
 #[inline(always)]
-fn solve_stage<T: Lane, S: LinearSolve<T>>(
-    times: StageTimes<T>,
-    seconds: f64,
-    members: &dyn Members,
-    setting: &Setting,
-    workspace: &mut Workspace<T>,
-    solver: &mut S,
-    outcomes: &mut [StrandOutcome; MAX_LANES],
-) -> Vec3<T> {
+fn solve_stage<T: Lane, S: LinearSolve<T>>(times: StageTimes<T>, seconds: f64, context: &mut StepContext<'_, T, S>) -> Vec3<T> {
+    let (members, setting) = (context.members, context.setting);
+    let (workspace, outcomes) = (&mut *context.workspace, &mut *context.outcomes);
     let (rotation, offset) = move_roots(seconds, members, workspace);
     let rule = setting.rules.rule(members.state(0).rule);
     let freedoms = members.model(0).freedoms;
@@ -202,7 +179,7 @@ fn solve_stage<T: Lane, S: LinearSolve<T>>(
         rotation: &rotation,
         offset,
         workspace,
-        solver,
+        solver: &mut *context.solver,
         active,
         total: outcomes,
     });
@@ -472,9 +449,9 @@ pub(super) fn assemble_terms<T: Lane>(
             let mut pull = shared.pull;
             if loaded.has_drag {
                 if loaded.has_air {
-                    pull += loaded.air[p].scale(loaded.air_drag);
+                    pull += drag::of_wind(loaded.air[p], loaded.air_drag);
                 }
-                pull -= start.scale(loaded.air_drag);
+                pull -= drag::of_start(start, loaded.air_drag);
             }
             point_target[p] = stage.start_displacements[p] + (start.scale(k) + (pull.scale(inverse) - offset));
         }

@@ -1,5 +1,6 @@
 //! A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 
+use super::context::StepContext;
 use super::members::{self, Members};
 use super::options::Integrator;
 use super::root_velocity::root_velocity;
@@ -31,12 +32,11 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
     fn run(self) -> Self::Output {
         let Self { members, setting, h, workspace, solver } = self;
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
+        let mut context = StepContext { members, setting, h, workspace: &mut *workspace, solver, outcomes: &mut outcomes };
         match setting.options.integrator {
-            Integrator::LinearlyImplicit => linearly_implicit::take(members, setting, h, workspace, solver, &mut outcomes),
-            Integrator::SecondOrder => stages::two_step(members, setting, h, workspace, solver, &mut outcomes),
-            Integrator::ImplicitEuler | Integrator::Reference => {
-                stages::take(&tableau::IMPLICIT_EULER, members, setting, h, workspace, solver, &mut outcomes);
-            }
+            Integrator::LinearlyImplicit => linearly_implicit::take(&mut context),
+            Integrator::SecondOrder => stages::two_step(&mut context),
+            Integrator::ImplicitEuler | Integrator::Reference => stages::take(&tableau::IMPLICIT_EULER, &mut context),
         }
         if setting.options.integrator != Integrator::LinearlyImplicit {
             let (force, torque) = super::iterate::wrench(&workspace.iterate.kinematics, &workspace.iterate.system.point_force);

@@ -63,7 +63,7 @@ fn contacts_bear_the_weight_and_act_on_the_collider_as_well() {
             assert!((at[2] - 50e-6 - contact["gap"].as_f64().unwrap()).abs() < 1e-12, "{contact}");
         }
         let told = &result["report"]["contact"];
-        assert!(told["touches_max"].as_u64().unwrap() as usize >= contacts.len());
+        assert!(told["contacts_max"].as_u64().unwrap() as usize >= contacts.len());
         assert_eq!(told["unconverged"], 0);
         assert!(told["penetration_max"].as_f64().unwrap() < if allowed < 1e-3 { TOLERANCE } else { 1e-3 }, "{told}");
     }
@@ -356,7 +356,7 @@ fn strands_touch_each_other_when_the_scene_says_so() {
     // One that touches nothing is passed through.
     let off = run(&directory, &with(with(scene, "/hair_contact", json!(true)), "/strands/0/contact", json!(false)));
     assert!(last(&off["contacts"]).as_array().unwrap().is_empty());
-    assert_eq!(off["report"]["contact"]["touches_max"], 0);
+    assert_eq!(off["report"]["contact"]["contacts_max"], 0);
 }
 
 #[test]

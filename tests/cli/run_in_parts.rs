@@ -64,7 +64,7 @@ fn parts_of_a_run_are_the_whole_run_to_the_bit() {
     let (status, said, whole) = run(&path, "whole.json", &[]);
     assert_eq!(status, Some(0), "{said}");
     let mut whole = whole.unwrap();
-    assert!(whole["report"]["contact"]["touches_max"].as_u64().unwrap() > 0, "{}", whole["report"]);
+    assert!(whole["report"]["contact"]["contacts_max"].as_u64().unwrap() > 0, "{}", whole["report"]);
     // States are 0 to 10, the last after half an interval.
     let parts: [&[&str]; 3] = [
         &["--until", "3", "--snapshot", "a.shxrun"],

@@ -231,7 +231,7 @@ fn hair_stays_out_of_a_head() {
         assert_eq!(report["body"]["triangles"], 5952);
         assert_eq!(report["body"]["sides"], sides, "a bust is open");
         let contact = &report["report"]["contact"];
-        assert!(contact["touches_max"].as_u64().unwrap() > 0, "{contact}");
+        assert!(contact["contacts_max"].as_u64().unwrap() > 0, "{contact}");
         assert_eq!(report["report"]["quarantined"], 0);
         assert!(contact["penetration_max"].as_f64().unwrap() > 0.0);
         assert_eq!(std::fs::read(&picture).unwrap()[..8], [0x89, b'P', b'N', b'G', 13, 10, 26, 10]);

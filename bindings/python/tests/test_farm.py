@@ -232,7 +232,7 @@ def test_states_are_counted_as_the_program_writes_them(duration: float, interval
 
 def test_reports_of_parts_are_joined() -> None:
     def part(time: float, steps: int, mean: float, most: float) -> dict[str, Any]:
-        contact = {"touches_mean": mean, "touches_max": most, "sweeps": steps}
+        contact = {"contacts_mean": mean, "contacts_max": most, "sweeps": steps}
         report = {"steps": steps, "iterations_mean": mean, "iterations_max": most, "unconverged": 1, "error_max": most, "contact": contact}
         return {"times": [time], "strands": [{"tips": [[time]]}], "report": report, "state_hash": str(time)}
 
@@ -240,4 +240,4 @@ def test_reports_of_parts_are_joined() -> None:
     assert joined["times"] == [0.0, 1.0] and joined["strands"] == [{"tips": [[0.0], [1.0]]}] and joined["state_hash"] == "1.0"
     report = joined["report"]
     assert (report["steps"], report["iterations_mean"], report["iterations_max"], report["unconverged"]) == (4, 3.5, 5, 2)
-    assert report["contact"] == {"touches_mean": 3.5, "touches_max": 5, "sweeps": 4}
+    assert report["contact"] == {"contacts_mean": 3.5, "contacts_max": 5, "sweeps": 4}

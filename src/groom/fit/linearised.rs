@@ -8,8 +8,9 @@
 use super::measure::{angle_to, frame_at};
 use super::samples::Sample;
 use super::shape::Shape;
-use crate::chain::downstream::{Downstream, Reduced};
+use crate::chain::downstream::Downstream;
 use crate::chain::pivot::cholesky;
+use crate::chain::reduced::Reduced;
 use crate::math::entire::Stumpff;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, element_state};
@@ -129,7 +130,7 @@ impl State {
 /// What the pass from root to tip needs of an element.
 #[derive(Clone, Copy)]
 struct Eliminated<const D: usize> {
-    reduced: Reduced<D>,
+    reduced: Reduced<f64, D>,
     psi: [Vec3<f64>; D],
     jacobian: [Vec3<f64>; D],
 }
@@ -265,6 +266,15 @@ fn tilt_of_root(root: &Downstream, stiffness: f64) -> Vec3<f64> {
     Vec3([0.0, (m22 * y - m12 * z) / determinant, (m11 * z - m12 * y) / determinant])
 }
 
+/// What an element's freedoms meet: their quadratic form with the left end, and what pulls at them.
+struct Meets<const D: usize> {
+    /// The freedoms' own part, lower triangle.
+    kk: [[f64; D]; D],
+    psi_k: [Vec3<f64>; D],
+    rho_k: [Vec3<f64>; D],
+    pull: [f64; D],
+}
+
 fn eliminate<const D: usize>(
     right: &Downstream,
     axes: [usize; D],
@@ -274,29 +284,53 @@ fn eliminate<const D: usize>(
     damping: &Damping,
     index: usize,
 ) -> (Eliminated<D>, Downstream) {
+    let (psi, jacobian) = motions(axes, state, index);
+    let (mut left, mut meets) = through(right, state.elements[index].end, &psi, &jacobian);
+    for placed in &state.placed[state.first[index]..state.first[index + 1]] {
+        meets.add_sample(&mut left, placed, &state.elements[index], weights, axes);
+    }
+    meets.add_springs(axes, shape, state, weights, damping, index);
+    let mut pivot = meets.kk;
+    for i in 0..D {
+        for k in 0..i {
+            pivot[k][i] = pivot[i][k];
+        }
+    }
+    let (factor, _) = cholesky(&pivot, 0.0);
+    let reduced = left.reduce(factor, &meets.psi_k, &meets.rho_k, &meets.pull, [true; D]);
+    (Eliminated { reduced, psi, jacobian }, left)
+}
+
+/// Ψ and J: how an element's freedoms turn and move its right end. A node turns what lies beyond it.
+fn motions<const D: usize>(axes: [usize; D], state: &State, index: usize) -> ([Vec3<f64>; D], [Vec3<f64>; D]) {
     let element = &state.elements[index];
-    let (kappa, length, end) = (element.kappa, element.length, element.end);
+    let (kappa, length) = (element.kappa, element.length);
     let theta = kappa.scale(length);
     let z = element.kappa_squared * (length * length);
-    let last = index + 1 == state.elements.len();
     let mean = segment::mean_frame(theta, z, &element.c);
     let gradient = segment::chord_gradient(theta, z, &element.c);
     let (mut psi, mut jacobian) = ([Vec3::<f64>::zero(); D], [Vec3::<f64>::zero(); D]);
     for i in 0..D {
-        if axes[i] == NODE {
-            if !last {
-                psi[i] = element.turn.apply(kappa - state.elements[index + 1].kappa);
-            }
-        } else {
+        if axes[i] != NODE {
             psi[i] = mean.column(axes[i]).scale(length);
             jacobian[i] = gradient.column(axes[i]).scale(length * length);
+        } else if index + 1 < state.elements.len() {
+            psi[i] = element.turn.apply(kappa - state.elements[index + 1].kappa);
         }
     }
+    (psi, jacobian)
+}
 
-    // Everything downstream, moved to the left end: ρ_R = ρ + ψ×a = ρ − [a]×ψ.
+/// What is downstream, moved to the left end, ρ_R = ρ + ψ×a = ρ − [a]×ψ, and through the freedoms.
+fn through<const D: usize>(
+    right: &Downstream,
+    end: Vec3<f64>,
+    psi: &[Vec3<f64>; D],
+    jacobian: &[Vec3<f64>; D],
+) -> (Downstream, Meets<D>) {
     let b_moved = right.b.add(&right.c.crossed_from_left(end));
     let arm = right.b.mul(&Mat3::cross(end));
-    let mut left = Downstream {
+    let left = Downstream {
         // A + [a]×Bᵀ + B[a]×ᵀ + [a]× C [a]×ᵀ.
         a: right
             .a
@@ -308,26 +342,34 @@ fn eliminate<const D: usize>(
         moment: right.moment + end.cross(right.force),
         force: right.force,
     };
-    let mut kk = [[0.0; D]; D];
-    let mut psi_k = [Vec3::<f64>::zero(); D];
-    let mut rho_k = [Vec3::<f64>::zero(); D];
-    let mut reduced = [0.0; D];
+    let zero = Vec3::<f64>::zero();
+    let mut meets = Meets { kk: [[0.0; D]; D], psi_k: [zero; D], rho_k: [zero; D], pull: [0.0; D] };
     for i in 0..D {
         let y_psi = right.a.apply(psi[i]) + right.b.apply(jacobian[i]);
         let y_rho = right.b.apply_transposed(psi[i]) + right.c.apply(jacobian[i]);
         for k in 0..=i {
-            kk[i][k] = psi[k].dot(y_psi) + jacobian[k].dot(y_rho);
+            meets.kk[i][k] = psi[k].dot(y_psi) + jacobian[k].dot(y_rho);
         }
-        psi_k[i] = y_psi + end.cross(y_rho);
-        rho_k[i] = y_rho;
-        reduced[i] = psi[i].dot(right.moment) + jacobian[i].dot(right.force);
+        meets.psi_k[i] = y_psi + end.cross(y_rho);
+        meets.rho_k[i] = y_rho;
+        meets.pull[i] = psi[i].dot(right.moment) + jacobian[i].dot(right.force);
     }
+    (left, meets)
+}
 
-    // The element's own samples: the node beyond them does not affect them.
-    let own = if axes[D - 1] == NODE { D - 1 } else { D };
-    for placed in &state.placed[state.first[index]..state.first[index + 1]] {
+impl<const D: usize> Meets<D> {
+    /// A sample of the element: it does not feel the node beyond it.
+    fn add_sample(
+        &mut self,
+        left: &mut Downstream,
+        placed: &Placed,
+        element: &ElementState<f64>,
+        weights: &Weights,
+        axes: [usize; D],
+    ) {
+        let own = if axes[D - 1] == NODE { D - 1 } else { D };
         let (w, x, s) = (placed.weight, placed.local, placed.s);
-        let theta = kappa.scale(s);
+        let theta = element.kappa.scale(s);
         let z = element.kappa_squared * (s * s);
         let gradient = segment::chord_gradient(theta, z, &placed.c);
         let f = placed.off.scale(w);
@@ -347,12 +389,12 @@ fn eliminate<const D: usize>(
         for i in 0..own {
             j[i] = gradient.column(axes[i]).scale(s * s);
             let wj = j[i].scale(w);
-            rho_k[i] += wj;
-            psi_k[i] += wx.cross(j[i]);
+            self.rho_k[i] += wj;
+            self.psi_k[i] += wx.cross(j[i]);
             for k in 0..=i {
-                kk[i][k] += j[k].dot(wj);
+                self.kk[i][k] += j[k].dot(wj);
             }
-            reduced[i] += j[i].dot(f);
+            self.pull[i] += j[i].dot(f);
         }
         if let Some((tangent, angle)) = placed.normal {
             let w = w * weights.normal;
@@ -367,43 +409,45 @@ fn eliminate<const D: usize>(
             let mut turn = [0.0; D];
             for i in 0..own {
                 turn[i] = tangent.dot(mean.column(axes[i])) * s;
-                psi_k[i] += wt.scale(turn[i]);
+                self.psi_k[i] += wt.scale(turn[i]);
                 for k in 0..=i {
-                    kk[i][k] += w * turn[i] * turn[k];
+                    self.kk[i][k] += w * turn[i] * turn[k];
                 }
-                reduced[i] += w * angle * turn[i];
+                self.pull[i] += w * angle * turn[i];
             }
         }
     }
 
-    // Springs.
-    for i in 0..D {
-        match axes[i] {
-            NODE => {
-                kk[i][i] += damping.node;
-                if last {
-                    kk[i][i] += 1.0;
-                } else {
-                    let count = state.elements.len() as f64;
-                    // Half the second derivative of the squares of both elements' stretch, without the neighbouring node's part.
-                    kk[i][i] += 2.0 * weights.spacing * count * count;
-                    reduced[i] += weights.spacing * count * count * (shape.length(index + 1) - shape.length(index));
+    /// The springs of the freedoms themselves: damping, and what twist and spacing are charged.
+    fn add_springs(
+        &mut self,
+        axes: [usize; D],
+        shape: &Shape,
+        state: &State,
+        weights: &Weights,
+        damping: &Damping,
+        index: usize,
+    ) {
+        let (length, last) = (state.elements[index].length, index + 1 == state.elements.len());
+        for i in 0..D {
+            match axes[i] {
+                NODE => {
+                    self.kk[i][i] += damping.node;
+                    if last {
+                        self.kk[i][i] += 1.0;
+                    } else {
+                        let count = state.elements.len() as f64;
+                        // Half the second derivative of the squares of both elements' stretch; the neighbour node's part is left out.
+                        self.kk[i][i] += 2.0 * weights.spacing * count * count;
+                        self.pull[i] += weights.spacing * count * count * (shape.length(index + 1) - shape.length(index));
+                    }
                 }
+                0 => {
+                    self.kk[i][i] += (damping.curvature + weights.twist) * length;
+                    self.pull[i] -= weights.twist * length * shape.rows[index][0];
+                }
+                _ => self.kk[i][i] += damping.curvature * length,
             }
-            0 => {
-                kk[i][i] += (damping.curvature + weights.twist) * length;
-                reduced[i] -= weights.twist * length * shape.rows[index][0];
-            }
-            _ => kk[i][i] += damping.curvature * length,
         }
     }
-    let mut pivot = kk;
-    for i in 0..D {
-        for k in 0..i {
-            pivot[k][i] = pivot[i][k];
-        }
-    }
-    let (factor, _) = cholesky(&pivot, 0.0);
-    let reduced = left.reduce(factor, &psi_k, &rho_k, &reduced, [true; D]);
-    (Eliminated { reduced, psi, jacobian }, left)
 }

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::linearised::{Damping, FitElimination, Freedom, State, Step, Weights};
 use super::samples::Sample;
 use super::shape::{Root, Shape};
+use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
 use crate::math::rotation::from_rotation_vector;
 use crate::math::trigonometry::sine_cosine;
 use crate::math::vector::Mat3;
@@ -46,58 +47,12 @@ const TURN_LIMIT: f64 = 0.5;
 const TRIALS: usize = 8;
 
 impl SearchScratch {
-    /// Improves `shape`; returns the remaining cost, and the mean squared distance alone.
+    /// Improves `shape`; returns the cost, and the mean squared distance alone.
     pub fn minimise(&mut self, shape: &mut Shape, samples: &[Sample], search: &Search) -> (f64, f64) {
-        let count = shape.rows.len() as f64;
-        let mut damping = FIRST_DAMPING;
-        let mut weights = search.weights;
+        let weights = search.weights;
         self.state.place(shape, samples, &weights);
-        let mut slow = 0;
-        for _ in 0..search.iterations {
-            if self.state.distance < search.enough {
-                break;
-            }
-            let fraction = (self.state.distance / CHARGED_WHOLE).min(1.0);
-            if fraction < 1.0 || weights.twist < search.weights.twist {
-                weights.twist = search.weights.twist * fraction;
-                weights.spacing = search.weights.spacing * fraction;
-                self.state.weigh(&weights);
-            }
-            let mut gained = 0.0;
-            for _ in 0..TRIALS {
-                let springs = Damping {
-                    tilt: damping + RIDGE,
-                    curvature: damping + RIDGE,
-                    node: (100.0 * damping + RIDGE) * count * count,
-                };
-                self.elimination.solve(shape, &self.state, &weights, search.freedom, &springs, &mut self.step);
-                self.advance(shape, search);
-                self.trial_state.place(&self.trial, samples, &weights);
-                let fall = self.state.cost - self.trial_state.cost;
-                if fall > 0.0 {
-                    gained = fall / self.state.cost;
-                    let ratio = fall / self.step.gain;
-                    damping *= if ratio > 0.75 {
-                        0.25
-                    } else if ratio < 0.25 {
-                        4.0
-                    } else {
-                        0.5
-                    };
-                    std::mem::swap(&mut self.state, &mut self.trial_state);
-                    std::mem::swap(shape, &mut self.trial);
-                    break;
-                }
-                damping *= 4.0;
-            }
-            if gained == 0.0 {
-                break;
-            }
-            slow = if gained < search.least_gain { slow + 1 } else { 0 };
-            if slow == 2 {
-                break;
-            }
-        }
+        let mut descent = Descent { scratch: self, shape, samples, search, weights, damping: FIRST_DAMPING, slow: 0 };
+        levenberg_marquardt::minimise(&mut descent, search.iterations, TRIALS);
         (self.state.cost, self.state.distance)
     }
 
@@ -146,7 +101,75 @@ impl SearchScratch {
     }
 }
 
-/// Moves inner nodes that are out of order or closer together than `least`; the ends stay.
+/// A search on its way.
+struct Descent<'a> {
+    scratch: &'a mut SearchScratch,
+    shape: &'a mut Shape,
+    samples: &'a [Sample],
+    search: &'a Search,
+    weights: Weights,
+    damping: f64,
+    /// Iterations in a row that gained little.
+    slow: u32,
+}
+
+impl DampedLeastSquares for Descent<'_> {
+    fn cost(&self) -> f64 {
+        self.scratch.state.cost
+    }
+
+    fn begin(&mut self) -> bool {
+        let (state, wanted) = (&mut self.scratch.state, &self.search.weights);
+        if state.distance < self.search.enough {
+            return false;
+        }
+        let fraction = (state.distance / CHARGED_WHOLE).min(1.0);
+        if fraction < 1.0 || self.weights.twist < wanted.twist {
+            self.weights.twist = wanted.twist * fraction;
+            self.weights.spacing = wanted.spacing * fraction;
+            state.weigh(&self.weights);
+        }
+        true
+    }
+
+    fn trial(&mut self) -> Trial {
+        let SearchScratch { state, elimination, step, .. } = &mut *self.scratch;
+        let count = self.shape.rows.len() as f64;
+        let springs = Damping {
+            tilt: self.damping + RIDGE,
+            curvature: self.damping + RIDGE,
+            node: (100.0 * self.damping + RIDGE) * count * count,
+        };
+        elimination.solve(self.shape, state, &self.weights, self.search.freedom, &springs, step);
+        self.scratch.advance(self.shape, self.search);
+        let SearchScratch { trial, trial_state, step, .. } = &mut *self.scratch;
+        trial_state.place(trial, self.samples, &self.weights);
+        Trial::Placed { cost: trial_state.cost, promised: step.gain }
+    }
+
+    fn accept(&mut self, ratio: f64) {
+        self.damping *= if ratio > 0.75 {
+            0.25
+        } else if ratio < 0.25 {
+            4.0
+        } else {
+            0.5
+        };
+        std::mem::swap(&mut self.scratch.state, &mut self.scratch.trial_state);
+        std::mem::swap(self.shape, &mut self.scratch.trial);
+    }
+
+    fn damp(&mut self) {
+        self.damping *= 4.0;
+    }
+
+    fn ends(&mut self, gained: f64) -> bool {
+        self.slow = if gained < self.search.least_gain { self.slow + 1 } else { 0 };
+        gained == 0.0 || self.slow == 2
+    }
+}
+
+/// Moves inner nodes that are closer than `least` apart, or out of order; the ends stay.
 pub(super) fn keep_apart(nodes: &mut [f64], least: f64) {
     let last = nodes.len() - 1;
     for index in 1..last {

@@ -4,8 +4,9 @@
 //! arclength, act along one direction only (a body pushes along its normal), and hold a direction. Frozen curvatures keep their
 //! values to the bit.
 
-use crate::chain::downstream::{Downstream, Reduced};
+use crate::chain::downstream::Downstream;
 use crate::chain::pivot::factorise;
+use crate::chain::reduced::Reduced;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;
 use crate::rod::segment::{self, CurvatureForm};
@@ -38,7 +39,7 @@ struct Tensed {
 /// What the pass from root to tip needs of an element.
 #[derive(Clone, Copy)]
 struct Eliminated {
-    reduced: Reduced<3>,
+    reduced: Reduced<f64, 3>,
     psi: Mat3<f64>,
     jacobian: Mat3<f64>,
 }

@@ -16,6 +16,7 @@ use super::springs::Spring;
 use crate::contact::body::BodyAt;
 use crate::contact::strand_body::{self, PathBounds, Span};
 use crate::contact::touch::{StrandCurve, StrandPath, Touch};
+use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, element_states};
 
@@ -194,49 +195,8 @@ impl Search {
         self.place(task, rows, weights);
         std::mem::swap(&mut self.state, &mut self.trial);
         self.damping = 0.0;
-        let mut exact = false;
-        for _ in 0..end.most {
-            self.iterations += 1;
-            let (mut gained, mut turned) = (0.0, 0.0);
-            // Pulls resist, where they do, about as much as this stiffness.
-            let scale = LEAST_DAMPING + PULLED * weights.pull * self.state.distance.sqrt() / task.length;
-            for _ in 0..TRIALS {
-                self.direction(task, rows, weights, exact);
-                if self.step.gain <= ROUNDING * self.state.cost {
-                    break;
-                }
-                if exact && self.step.turn > FAR * TURN_LIMIT {
-                    self.damping = (MORE * self.damping).max(scale);
-                    continue;
-                }
-                let fraction = if self.step.turn > TURN_LIMIT { TURN_LIMIT / self.step.turn } else { 1.0 };
-                self.advance(task, rows, fraction);
-                let next = std::mem::take(&mut self.rows);
-                self.place(task, &next, weights);
-                self.rows = next;
-                let fall = self.state.cost - self.trial.cost;
-                if fall > 0.0 {
-                    gained = fall / self.state.cost;
-                    // A damped step does not show how far is left to go.
-                    turned = if self.damping < scale { self.step.turn } else { f64::INFINITY };
-                    let ratio = fall / (self.step.gain * fraction * (2.0 - fraction));
-                    if ratio > 0.5 {
-                        self.damping = if self.damping > 1e-3 * scale { LESS * self.damping } else { 0.0 };
-                    } else if ratio < 0.1 {
-                        self.damping = (10.0 * self.damping).max(LEAST_DAMPING);
-                    }
-                    std::mem::swap(&mut self.state, &mut self.trial);
-                    std::mem::swap(rows, &mut self.rows);
-                    break;
-                }
-                self.damping = (MORE * self.damping).max(scale);
-            }
-            let near = self.state.distance + self.state.hard < end.near * end.near;
-            if near || gained < ROUNDING || gained < end.gain && turned < end.turn {
-                break;
-            }
-            exact = gained < SLOW;
-        }
+        let mut descent = Descent { search: self, task, rows, weights, end, exact: false, scale: 0.0, turned: 0.0 };
+        levenberg_marquardt::minimise(&mut descent, end.most as usize, TRIALS);
     }
 
     /// The step from the current state. Contacts that it would pass through are added as obstacles.
@@ -291,7 +251,76 @@ impl Search {
     }
 }
 
-/// How far the step moves a contact point from its body.
+/// A search on its way.
+struct Descent<'a> {
+    search: &'a mut Search,
+    task: &'a Task<'a>,
+    rows: &'a mut Vec<[f64; 3]>,
+    weights: Weights,
+    end: &'a End,
+    /// Whether Newton's method has taken over.
+    exact: bool,
+    /// The damping that counts.
+    scale: f64,
+    /// The largest rotation by the iteration's step, rad.
+    turned: f64,
+}
+
+impl DampedLeastSquares for Descent<'_> {
+    fn cost(&self) -> f64 {
+        self.search.state.cost
+    }
+
+    fn begin(&mut self) -> bool {
+        self.search.iterations += 1;
+        self.turned = 0.0;
+        // What pulls holds back, where it does, as much as a stiffness of about this.
+        self.scale = LEAST_DAMPING + PULLED * self.weights.pull * self.search.state.distance.sqrt() / self.task.length;
+        true
+    }
+
+    fn trial(&mut self) -> Trial {
+        let search = &mut *self.search;
+        search.direction(self.task, self.rows, self.weights, self.exact);
+        if search.step.gain <= ROUNDING * search.state.cost {
+            return Trial::Exhausted;
+        }
+        if self.exact && search.step.turn > FAR * TURN_LIMIT {
+            return Trial::TooLong;
+        }
+        let fraction = if search.step.turn > TURN_LIMIT { TURN_LIMIT / search.step.turn } else { 1.0 };
+        search.advance(self.task, self.rows, fraction);
+        let next = std::mem::take(&mut search.rows);
+        search.place(self.task, &next, self.weights);
+        search.rows = next;
+        Trial::Placed { cost: search.trial.cost, promised: search.step.gain * fraction * (2.0 - fraction) }
+    }
+
+    fn accept(&mut self, ratio: f64) {
+        let search = &mut *self.search;
+        // A step that is held back says nothing of how far there is to go.
+        self.turned = if search.damping < self.scale { search.step.turn } else { f64::INFINITY };
+        if ratio > 0.5 {
+            search.damping = if search.damping > 1e-3 * self.scale { LESS * search.damping } else { 0.0 };
+        } else if ratio < 0.1 {
+            search.damping = (10.0 * search.damping).max(LEAST_DAMPING);
+        }
+        std::mem::swap(&mut search.state, &mut search.trial);
+        std::mem::swap(self.rows, &mut search.rows);
+    }
+
+    fn damp(&mut self) {
+        self.search.damping = (MORE * self.search.damping).max(self.scale);
+    }
+
+    fn ends(&mut self, gained: f64) -> bool {
+        let near = self.search.state.distance + self.search.state.hard < self.end.near * self.end.near;
+        self.exact = gained < SLOW;
+        near || gained < ROUNDING || gained < self.end.gain && self.turned < self.end.turn
+    }
+}
+
+/// How far the step takes a touching place from its body.
 fn moved(state: &State, step: &Step, touch: &Touch) -> f64 {
     let index = touch.place.element as usize;
     let element = &state.elements[index];

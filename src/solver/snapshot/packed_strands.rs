@@ -59,11 +59,6 @@ fn frame_bits(frame: &Frame) -> [u64; 7] {
     bits([x, y, z, i, j, k, w])
 }
 
-fn material_numbers(material: &Material) -> [f64; 8] {
-    let Material { radius, density, youngs_modulus, poisson_ratio, internal_friction, viscosity, air_drag } = *material;
-    [radius[0], radius[1], density, youngs_modulus, poisson_ratio, internal_friction, viscosity, air_drag]
-}
-
 fn contact_bits(contact: Option<&StrandContact>) -> Option<([u64; 9], [u32; 2])> {
     contact.map(|contact| {
         let StrandContact { radius, wisp_radius, friction, hair_friction, viscous_friction, exempt_length, groups, mask } =
@@ -94,7 +89,7 @@ fn flags_of(strand: &Strand, before: Option<&Strand>) -> u32 {
     let (model, state) = (&strand.model, &strand.state);
     let mut flags = 0;
     let mut set = |flag: u32, is: bool| flags |= if is { flag } else { 0 };
-    let section = |strand: &Strand| (bits(material_numbers(&strand.model.material)), strand.model.freedoms);
+    let section = |strand: &Strand| (bits(strand.model.material.values()), strand.model.freedoms);
     let same = |is: &dyn Fn(&Strand) -> bool| before.is_some_and(is);
     set(flag::SAME_SECTION, same(&|before| section(before) == section(strand)));
     let contact = contact_bits(strand.contact.as_deref());
@@ -135,7 +130,7 @@ impl Writer {
         lengths.iter().for_each(|length| self.f64(*length));
         self.rows(&model.natural);
         if !has(flag::SAME_SECTION) {
-            material_numbers(&model.material).iter().for_each(|number| self.f64(*number));
+            model.material.values().iter().for_each(|number| self.f64(*number));
             self.u32(model.freedoms.bits());
         }
         self.u32((state.rule as u32) << 16 | state.subdivision);
@@ -291,15 +286,11 @@ impl Reader<'_> {
     }
 
     fn section(&mut self) -> Result<(Material, Freedoms)> {
-        let material = Material {
-            radius: [self.f64()?, self.f64()?],
-            density: self.f64()?,
-            youngs_modulus: self.f64()?,
-            poisson_ratio: self.f64()?,
-            internal_friction: self.f64()?,
-            viscosity: self.f64()?,
-            air_drag: self.f64()?,
-        };
+        let mut values = [0.0; 8];
+        for value in &mut values {
+            *value = self.f64()?;
+        }
+        let material = Material::of_values(values);
         material.check("material").map_err(|error| of_part("a strand", &error))?;
         let freedoms = Freedoms::from_bits("freedoms", self.u32()?).map_err(|error| of_part("a strand", &error))?;
         Ok((material, freedoms))

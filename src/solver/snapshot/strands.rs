@@ -67,23 +67,12 @@ impl Writer {
 
     /// A strand's constants and state, for hashes; without the identifier.
     pub fn strand(&mut self, strand: &Strand) {
-        let (model, state, material) = (&strand.model, &strand.state, &strand.model.material);
+        let (model, state) = (&strand.model, &strand.state);
         self.u64(strand.user_data);
         self.u64(model.element_count() as u64);
         model.lengths.iter().for_each(|length| self.f64(*length));
         self.rows(&model.natural);
-        for value in [
-            material.radius[0],
-            material.radius[1],
-            material.density,
-            material.youngs_modulus,
-            material.poisson_ratio,
-            material.internal_friction,
-            material.viscosity,
-            material.air_drag,
-        ] {
-            self.f64(value);
-        }
+        model.material.values().into_iter().for_each(|value| self.f64(value));
         self.u32(model.freedoms.bits());
         self.rows(&state.curvatures);
         self.rows(&state.rates);

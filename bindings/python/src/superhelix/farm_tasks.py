@@ -359,7 +359,7 @@ def join_reports(report: dict[str, Any], later: Mapping[str, Any]) -> None:
     steps, more = report["steps"], later["steps"]
     for key, value in later.items():
         if isinstance(value, Mapping):
-            mean = "touches_mean"
+            mean = "contacts_mean"
             both = (report[key][mean] * steps + value[mean] * more) / max(steps + more, 1)
             for name, number in value.items():
                 report[key][name] = max(report[key][name], number) if name.endswith("_max") else report[key][name] + number

@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::failure::Failure;
-use crate::moving_scalp::ScalpFiles;
-use crate::surface::Surface;
+use crate::shell::failure::Failure;
+use crate::surfaces::moving_scalp::ScalpFiles;
+use crate::surfaces::surface::Surface;
 
 /// How much of the roots' spread across their longest extent there must be for them to say how a head is turned.
 const SPREAD: f64 = 1e-4;

@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 use superhelix::hair::GuideRoots;
 
 use super::relief;
-use super::view::{Face, Up};
-use crate::surface::Surface;
+use super::view::Face;
+use crate::shell::up::Up;
+use crate::surfaces::surface::Surface;
 
 /// Skin is bare that is farther from all roots than this, in the roots' distances from each other.
 const BARE: f64 = 2.0;

@@ -10,10 +10,11 @@ use super::facing::face_of;
 use super::grown::{self, Grown};
 use super::moment::Moment;
 use super::replay::Replay;
-use super::view::{Face, Up};
-use super::{frame_number, list_frames};
-use crate::failure::Failure;
-use crate::moving_scalp::{ScalpFiles, ScalpRequest};
+use super::view::Face;
+use crate::shell::failure::Failure;
+use crate::shell::frame_files::{frame_number, list_frames};
+use crate::shell::up::Up;
+use crate::surfaces::moving_scalp::{ScalpFiles, ScalpRequest};
 
 enum Source {
     /// A file a frame.
@@ -55,6 +56,7 @@ pub struct Footage {
     strands: usize,
     body: Option<CacheBody>,
     hair: Option<Grown>,
+    too_few: bool,
     /// Metres a unit, where that is known.
     pub metres_per_unit: Option<f64>,
 }
@@ -79,7 +81,7 @@ impl Footage {
             }
         };
         let (every, fps) = (request.every, request.fps);
-        let mut footage = Self { source, every, fps, strands: 0, body: None, hair: None, metres_per_unit };
+        let mut footage = Self { source, every, fps, strands: 0, body: None, hair: None, too_few: false, metres_per_unit };
         let first = footage.guides(0)?;
         footage.strands = first.strands.len();
         footage.find_body(request, &first)?;
@@ -99,6 +101,7 @@ impl Footage {
         let guides = grown::LEAST_GUIDES..grown::MOST_GUIDES;
         let usual = if self.is_replay() || !guides.contains(&first.strands.len()) { 0 } else { grown::USUAL };
         let count = request.hairs.unwrap_or(usual);
+        self.too_few = request.hairs.is_none() && !self.is_replay() && first.strands.len() < grown::LEAST_GUIDES;
         if count == 0 {
             return Ok(());
         }
@@ -131,6 +134,11 @@ impl Footage {
             Source::Cache(_, cache) => cache.times().len(),
             Source::Replay(replay) => replay.times().len(),
         }
+    }
+
+    /// Whether no hair is grown since there are too few strands, and nobody said how much there should be.
+    pub fn has_too_few_guides(&self) -> bool {
+        self.too_few
     }
 
     /// How many strands the frames have, before hair is grown.

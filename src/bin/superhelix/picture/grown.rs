@@ -8,12 +8,12 @@ use superhelix::io::Extras;
 use superhelix::render::{GuideSamples, RenderHair, RenderSettings, resampled};
 use superhelix::{Error, Shape, Workers};
 
-use crate::baked_body;
-use crate::failure::Failure;
-use crate::guide_frames::GuideFrame;
-use crate::moving_scalp::{MovingScalp, ScalpFiles};
-use crate::render_frames::{Moment, Renderer};
-use crate::render_roots::{Ground, LONE, Region, Scattering};
+use crate::render::frames::{Moment, Renderer};
+use crate::render::guide_frames::GuideFrame;
+use crate::render::roots::{Ground, LONE, Region, Scattering};
+use crate::shell::failure::Failure;
+use crate::surfaces::baked_body;
+use crate::surfaces::moving_scalp::{MovingScalp, ScalpFiles};
 
 /// Points of a strand.
 const POINTS: usize = 25;

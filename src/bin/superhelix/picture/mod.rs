@@ -38,18 +38,17 @@ pub mod sheet;
 pub mod view;
 mod window;
 
-use std::collections::BTreeMap;
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use tiny_skia::Pixmap;
 
-use crate::argument_values::{animation_name, png, positive};
-use crate::atomic_file::AtomicFile;
-use crate::failure::Failure;
-use crate::progress;
+use crate::shell::argument_values::{animation_name, png, positive};
+use crate::shell::atomic_file::AtomicFile;
+use crate::shell::failure::Failure;
+use crate::shell::progress;
+use crate::shell::up::Up;
 use animation::{Animation, MOST_PER_SECOND};
 pub use cell::Manner;
 use cell::Pen;
@@ -57,7 +56,7 @@ use footage::{Footage, Request};
 use framing::Finder;
 pub use lit::HairColour;
 use sheet::SheetOptions;
-use view::{Face, Stand, Up, View};
+use view::{Face, Stand, View};
 
 /// Draws simulated frames: a contact sheet of several moments, or an animation, or both; as hair, lit, or as lines.
 ///
@@ -169,6 +168,13 @@ pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
         hairs: arguments.hairs.map(|hairs| hairs as usize).or((arguments.manner == Manner::Lines).then_some(0)),
         threads: arguments.threads as usize,
     })?;
+    if footage.has_too_few_guides() && !arguments.quiet {
+        eprintln!(
+            "hint: no hair is grown among fewer than {} strands, the {} of the cache are drawn themselves; --hairs says how much to grow",
+            grown::LEAST_GUIDES,
+            footage.strand_count()
+        );
+    }
     let face = arguments.face.or(footage.face(arguments.up)?);
     let sheet_views = views(arguments, face, &[Stand::Front, Stand::Side])?;
     let animation_views = views(arguments, face, &[Stand::ThreeQuarter])?;
@@ -309,52 +315,6 @@ pub fn spread(length: usize, count: usize) -> Vec<usize> {
     (0..count).map(|index| (index * (length - 1) + (count - 1) / 2) / (count - 1)).collect()
 }
 
-/// The frames to draw from: those of a directory in the order of their numbers, or the files as given.
-pub fn list_frames(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
-    match inputs {
-        [directory] if directory.is_dir() => list_directory(directory),
-        files => {
-            if let Some(directory) = files.iter().find(|file| file.is_dir()) {
-                return Err(Failure::file(directory, "is a directory: give one directory, or files"));
-            }
-            Ok(files.to_vec())
-        }
-    }
-}
-
-fn list_directory(directory: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mut sequences: BTreeMap<(String, String), Vec<(u64, PathBuf)>> = BTreeMap::new();
-    let entries = fs::read_dir(directory).map_err(|error| Failure::file(directory, format!("cannot be read: {error}")))?;
-    for entry in entries {
-        let path = entry.map_err(|error| Failure::file(directory, format!("cannot be read: {error}")))?.path();
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default();
-        if !matches!(extension.as_str(), "obj" | "hair") {
-            continue;
-        }
-        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        let name = stem.trim_end_matches(|character: char| character.is_ascii_digit()).to_string();
-        if let Some(number) = frame_number(&path) {
-            sequences.entry((name, extension)).or_default().push((number, path));
-        }
-    }
-    let names: Vec<String> = sequences.keys().map(|(name, extension)| format!("{name}*.{extension}")).collect();
-    let mut sequences = sequences.into_values();
-    match (sequences.next(), sequences.next()) {
-        (Some(mut frames), None) => {
-            frames.sort();
-            Ok(frames.into_iter().map(|(_, path)| path).collect())
-        }
-        (None, _) => Err(Failure::file(directory, "holds no numbered .obj or .hair frames")),
-        _ => Err(Failure::file(directory, format!("holds several sequences ({}): give the files of one", names.join(", ")))),
-    }
-}
-
-/// The number at the end of a file's name, before its extension.
-fn frame_number(path: &Path) -> Option<u64> {
-    let stem = path.file_stem()?.to_str()?;
-    stem[stem.trim_end_matches(|character: char| character.is_ascii_digit()).len()..].parse().ok()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -374,12 +334,5 @@ mod tests {
         assert_eq!(at_rate(&times(10.0, 3), 20.0).unwrap(), [0, 0, 1, 1, 2]);
         assert_eq!(at_rate(&times(30.0, 1), 24.0).unwrap(), [0]);
         assert!(at_rate(&[None, None], 24.0).is_err());
-    }
-
-    #[test]
-    fn frame_numbers_are_read_from_the_end_of_the_name() {
-        assert_eq!(frame_number(Path::new("a2/hair.0012.obj")), Some(12));
-        assert_eq!(frame_number(Path::new("hair_7.hair")), Some(7));
-        assert_eq!(frame_number(Path::new("hair.obj")), None);
     }
 }

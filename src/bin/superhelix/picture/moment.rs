@@ -1,6 +1,6 @@
 //! One moment of a motion, as it is drawn.
 
-use crate::surface::Surface;
+use crate::surfaces::surface::Surface;
 
 /// Strands and bodies, in file units.
 #[derive(Debug, Clone)]

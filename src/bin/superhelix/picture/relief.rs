@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 
-use super::view::{Face, Up};
-use crate::surface::Surface;
+use super::view::Face;
+use crate::shell::up::Up;
+use crate::surfaces::surface::Surface;
 
 /// The head is the top of the body, down to where that is as high as it is deep or wide; not before this share of the body, since a tuft is
 /// no head.

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::moment::Moment;
-use crate::failure::Failure;
-use crate::scene::{self, Scene};
+use crate::scene;
+use crate::scene::Scene;
+use crate::shell::failure::Failure;
 
 /// A result and its scene.
 pub struct Replay {

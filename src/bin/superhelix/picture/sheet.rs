@@ -9,7 +9,7 @@ use super::lettering;
 use super::lit::HairColour;
 use super::moment::Moment;
 use super::view::View;
-use crate::failure::Failure;
+use crate::shell::failure::Failure;
 
 /// How the sheet is made.
 #[derive(Debug, Clone)]
@@ -128,7 +128,8 @@ fn draw_scale_bar(sheet: &mut Pixmap, x: f32, y: f32, bar: &ScaleBar) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::view::{Stand, Up};
+    use crate::picture::view::Stand;
+    use crate::shell::up::Up;
 
     #[test]
     fn the_scale_bar_is_round_and_true() {

@@ -7,7 +7,7 @@ use superhelix::{ConstraintDef, Frame, Friction, Hold, Solver, StrandId};
 use super::SceneStrand;
 use super::contact::read_friction;
 use super::pose::{read_frame, read_motion, read_pose};
-use crate::json::{Complaint, Entries, Node};
+use crate::shell::json::{Complaint, Entries, Node};
 
 /// Something that holds a strand.
 #[derive(Debug)]

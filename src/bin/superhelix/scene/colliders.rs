@@ -12,8 +12,8 @@ use superhelix::{BodyDef, Error, Shape};
 use super::contact::read_bits;
 use super::deformation::Deformation;
 use super::pose::{read_motion, read_pose};
-use crate::json::{Complaint, Entries, Node};
-use crate::surface::Surface;
+use crate::shell::json::{Complaint, Entries, Node};
+use crate::surfaces::surface::Surface;
 
 /// A body and how it moves.
 #[derive(Debug)]

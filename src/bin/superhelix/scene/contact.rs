@@ -4,7 +4,7 @@ use superhelix::{ContactModel, ContactOptions, Friction, StrandContact};
 
 use super::SceneStrand;
 use super::colliders::Collider;
-use crate::json::{Complaint, Entries, Node};
+use crate::shell::json::{Complaint, Entries, Node};
 
 /// The models by their names in a scene and on the command line.
 pub const MODELS: [(&str, ContactModel); 4] = [

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::colliders::{read_mesh, read_vectors};
 use super::pose::read_times;
-use crate::json::{Complaint, Node};
+use crate::shell::json::{Complaint, Node};
 
 /// Vertices over time.
 #[derive(Debug)]

@@ -8,8 +8,8 @@ use superhelix::{Error, Frame};
 
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
-use crate::json::{Complaint, Entries, Node};
-use crate::region::{Placement, read_vertex_densities, scalp_of};
+use crate::shell::json::{Complaint, Entries, Node};
+use crate::surfaces::region::{Placement, read_vertex_densities, scalp_of};
 
 /// Reads `follicles`: frames whose first axis is the mesh's normal, and whose second lies along u, or x without texture coordinates.
 pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {

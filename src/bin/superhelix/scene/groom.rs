@@ -10,8 +10,8 @@ use superhelix::{Frame, GroomOptions, MAX_ELEMENTS, Material, Result as Outcome,
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use super::words::in_words_of_the_scene;
-use crate::json::{Complaint, Node};
-use crate::unit;
+use crate::groom::unit;
+use crate::shell::json::{Complaint, Node};
 
 /// What each strand stands for; null: one bare hair.
 fn read_wisp(node: &Node) -> Result<Wisp, Complaint> {

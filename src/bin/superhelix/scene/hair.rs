@@ -3,7 +3,7 @@
 use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation, VariedStrand};
 
 use super::words::in_words_of_the_scene;
-use crate::json::{Complaint, Node};
+use crate::shell::json::{Complaint, Node};
 
 /// Hair of a kind, and which strand of it.
 #[derive(Debug)]

@@ -15,8 +15,11 @@
 //! - `posed.rs`: The operations of `posing` done to a scene's strands.
 //! - `posing.rs`: `posing`: what is done to the strands before a run begins.
 //! - `render_hair.rs`: `render_hair`: strands to be drawn, which follow those of the scene and are written as it runs.
+//! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
 //! - `strands.rs`: `strands`: what each is made from, and how its root moves.
+//! - `timeline.rs`: When states are written and which steps lead there.
 //! - `words.rs`: The solver's complaints in the words of a scene.
+//! - `written.rs`: Strands as a scene file.
 
 pub mod attachments;
 pub mod colliders;
@@ -31,8 +34,11 @@ pub mod pose;
 mod posed;
 pub mod posing;
 pub mod render_hair;
+pub mod rest_arguments;
 mod strands;
+pub mod timeline;
 mod words;
+pub mod written;
 
 use std::fs;
 use std::path::Path;
@@ -41,9 +47,9 @@ use serde_json::Value;
 use superhelix::SolverOptions;
 use superhelix::reading::SHORTEST_STEP;
 
-use crate::failure::Failure;
-use crate::json::{self, Complaint, Node};
-use crate::timeline;
+use crate::shell::failure::Failure;
+use crate::shell::json;
+use crate::shell::json::{Complaint, Node};
 use attachments::Attachment;
 use colliders::Collider;
 pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
@@ -78,6 +84,13 @@ pub struct Scene {
     pub samples: usize,
     /// Render hair that follows the strands.
     pub render_hair: Option<SceneRenderHair>,
+}
+
+impl Scene {
+    /// What the times of files of its states are counted in, a second.
+    pub fn outputs_per_second(&self) -> f64 {
+        1.0 / self.output_interval
+    }
 }
 
 /// Reads a scene file; its strands are posed already.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::json::{Complaint, Entries, Node};
+use crate::shell::json::{Complaint, Entries, Node};
 
 /// Samples a strand for `points`, `frames` and `velocities` when the scene does not say.
 pub const DEFAULT_SAMPLES: usize = 33;

@@ -7,7 +7,7 @@ use superhelix::Frame;
 use superhelix::splines::PoseSpline;
 
 use super::words::in_words_of_the_scene;
-use crate::json::{Complaint, Entries, Node};
+use crate::shell::json::{Complaint, Entries, Node};
 
 /// A pose as an object: `origin` and `rotation`, either of which may be left out.
 pub fn read_pose(node: &Node) -> Result<Frame, Complaint> {

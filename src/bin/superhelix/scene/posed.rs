@@ -5,7 +5,7 @@ use superhelix::{Error, Result, Solver, StrandDef, StrandId};
 
 use super::posing::{Action, How, Operation};
 use super::{Scene, SceneStrand};
-use crate::json::Complaint;
+use crate::shell::json::Complaint;
 
 /// Does the operations one after the other, in a solver of the scene's strands, colliders and attachments at its start; strands, their
 /// materials and images are the scene's then.

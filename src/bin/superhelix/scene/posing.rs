@@ -5,7 +5,8 @@ use superhelix::editing::{Brush, ElementChange, Growth, Plane, Stiffening};
 use superhelix::{MAX_ELEMENTS, Material};
 
 use super::words::in_words_of_the_scene;
-use crate::json::{Complaint, Entries, Node};
+use crate::groom::stiffening_arguments::STIFFENINGS;
+use crate::shell::json::{Complaint, Entries, Node};
 
 /// Something that is done to strands.
 #[derive(Debug, Clone)]
@@ -88,9 +89,6 @@ impl MaterialChange {
         }
     }
 }
-
-/// What is made stiffer, by its name in a scene and on the command line.
-pub const STIFFENINGS: [(&str, Stiffening); 2] = [("youngs_modulus", Stiffening::YoungsModulus), ("radius", Stiffening::Radius)];
 
 /// The names of the operations, with the keys that each has beside `do` and `strands`.
 const KEYS: [(&str, &[&str]); 8] = [

@@ -10,14 +10,14 @@ use superhelix::render::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, S
 use super::Scene;
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
-use crate::failure::Failure;
-use crate::json::{Complaint, Entries, Node};
-use crate::moving_scalp::{ScalpFiles, ScalpRequest};
-use crate::region::{Placement, read_picture, read_vertex_densities};
-use crate::render_output::OutputKind;
-use crate::render_roots::{Ground, Region, Scattering};
-use crate::run_cache::per_second;
-use crate::{timeline, unit};
+use crate::groom::unit;
+use crate::render::output::OutputKind;
+use crate::render::roots::{Ground, Region, Scattering};
+use crate::scene::timeline;
+use crate::shell::failure::Failure;
+use crate::shell::json::{Complaint, Entries, Node};
+use crate::surfaces::moving_scalp::{ScalpFiles, ScalpRequest};
+use crate::surfaces::region::{Placement, read_picture, read_vertex_densities};
 
 /// Render hair that a scene asks for.
 #[derive(Debug)]
@@ -107,12 +107,12 @@ pub fn read(node: &Node, scene: &Scene, directory: &Path) -> Result<SceneRenderH
         return Err(Complaint::value("strands", "[]", format!("at least one strand, a guide of {}", node.key)));
     }
     let states = timeline::output_times(scene.duration, scene.output_interval);
-    let times: Vec<Option<f64>> = states.iter().map(|time| Some(time_as_read(*time, per_second(scene)))).collect();
+    let times: Vec<Option<f64>> = states.iter().map(|time| Some(time_as_read(*time, scene.outputs_per_second()))).collect();
     let settings = read_settings(node, &entries, scene)?;
     let ground = read_ground(&entries, &times, directory)?;
     let out_node = entries.require("out")?;
     let out = path_of(out_node, directory)?;
-    let kind = OutputKind::of_name(&out, times.len(), true, Some(per_second(scene)));
+    let kind = OutputKind::of_name(&out, times.len(), true, Some(scene.outputs_per_second()));
     let kind = kind.map_err(|reason| Complaint::new(&out_node.key, format!("is {}, which {reason}", out_node.value)))?;
     let scalp = entries.get_unless_null("scalp").and_then(|scalp| scalp.value.as_object());
     let density = scalp.and_then(|scalp| DENSITIES.into_iter().find(|key| scalp.get(*key).is_some_and(|map| !map.is_null())));

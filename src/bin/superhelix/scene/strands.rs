@@ -10,7 +10,7 @@ use superhelix::{Frame, Freedoms, MAX_ELEMENTS, Material, SolverOptions, StrandC
 use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
 use super::words::in_words_of_the_scene;
 use super::{follicles, groom, hair};
-use crate::json::{Complaint, Entries, Node};
+use crate::shell::json::{Complaint, Entries, Node};
 
 /// A strand and how its root moves.
 #[derive(Debug)]

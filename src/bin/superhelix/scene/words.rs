@@ -2,7 +2,7 @@
 
 use superhelix::Error;
 
-use crate::json::Complaint;
+use crate::shell::json::Complaint;
 
 /// The solver names its own fields: the same complaint in the keys of a scene.
 pub fn in_words_of_the_scene(error: Error) -> Complaint {

@@ -6,7 +6,7 @@ use tiny_skia::{Pixmap, PixmapPaint, Transform};
 use crate::picture::colour::Colour;
 use crate::picture::view::View;
 use crate::picture::window::Window;
-use crate::surface::Surface;
+use crate::surfaces::surface::Surface;
 
 /// Samples along a pixel's side.
 const FINE: usize = 3;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
-use crate::surface::Surface;
+use crate::surfaces::surface::Surface;
 
 /// Corners that a border must have to say that it lies on a ball.
 const LEAST_CORNERS: usize = 12;

@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn bodies_shade_what_is_behind_them_and_not_their_own_face() {
         let threads = curtain(1.0);
-        let ball = Skin::of(&crate::surface::Surface::ellipsoid(nalgebra::Vector3::repeat(0.1)), |point| point);
+        let ball = Skin::of(&crate::surfaces::surface::Surface::ellipsoid(nalgebra::Vector3::repeat(0.1)), |point| point);
         let map = ShadeMap::new(Vector3::x(), &threads, &[ball], 64);
         assert_eq!(map.open(Vector3::new(-0.2, 0.0, 0.0)), 0.0);
         assert_eq!(map.open(Vector3::new(0.2, 0.0, 0.0)), 1.0);

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::surface::Surface;
+use crate::surfaces::surface::Surface;
 
 /// Cosine of the angle to the mean normal from which on a corner is an edge.
 const EDGE: f32 = 0.6;
