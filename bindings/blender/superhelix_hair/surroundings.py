@@ -1,0 +1,220 @@
+"""What is around hair in a scene: the surface that carries it, and colliders, as the dependency graph has them now."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+import numpy.typing as npt
+import superhelix as shx
+from mathutils.bvhtree import BVHTree
+
+from . import memory
+from .core.rest import Collider, FrameInputs, Motion, Rest
+from .core.space import Attachment, Numbers, polar, relative, transformed
+
+#: Modifiers that keep a mesh in one shape. Any other may deform it.
+_KEEP_SHAPE = {
+    *("ARRAY", "BEVEL", "BOOLEAN", "BUILD", "DECIMATE", "EDGE_SPLIT", "MASK", "MIRROR", "MULTIRES", "NORMAL_EDIT", "REMESH", "SCREW", "SKIN", "SOLIDIFY"),
+    *("SUBSURF", "TRIANGULATE", "UV_PROJECT", "UV_WARP", "VERTEX_WEIGHT_EDIT", "VERTEX_WEIGHT_MIX", "VERTEX_WEIGHT_PROXIMITY", "WEIGHTED_NORMAL", "WELD"),
+    *("WIREFRAME", "DATA_TRANSFER", "COLLISION", "PARTICLE_SYSTEM"),
+}
+#: A surface farther from a root than this, m, is a wrong one or a wrong UV map.
+FAR = 0.03
+
+
+def metres_per_unit(scene: bpy.types.Scene) -> float:
+    """Metres per Blender unit. Scenes without a unit system have metres."""
+    settings = scene.unit_settings
+    return 1.0 if settings.system == "NONE" else settings.scale_length
+
+
+def world_matrix(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph, scene: bpy.types.Scene) -> Numbers:
+    """From an object's space to world space in metres, 4x4."""
+    matrix = np.array(obj.evaluated_get(depsgraph).matrix_world, dtype=np.float64)
+    matrix[:3] *= metres_per_unit(scene)
+    return matrix
+
+
+@dataclass
+class MeshNow:
+    """An evaluated mesh: vertices in the object's space and, where there is one, the attribute rest_position; triangles; loops of their corners."""
+
+    vertices: Numbers
+    rest: Numbers | None
+    triangles: npt.NDArray[np.uint32]
+    uvs: Numbers | None
+
+
+def evaluated_mesh(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph, uv_map: str = "", *, topology: bool = True) -> MeshNow:
+    """The mesh of an object now. uv_map: also the texture coordinates of the triangles' corners."""
+    evaluated = obj.evaluated_get(depsgraph)
+    mesh = evaluated.to_mesh()
+    try:
+        rows = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+        mesh.vertices.foreach_get("co", rows)
+        vertices, rest, uvs = rows.reshape(-1, 3).astype(np.float64), None, None
+        if not topology:
+            # Only the number is wanted.
+            return MeshNow(vertices, None, np.zeros((_triangle_count(mesh), 3), dtype=np.uint32), None)
+        corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("vertices", corners)
+        attribute = mesh.attributes.get("rest_position")
+        if attribute is not None and attribute.domain == "POINT" and attribute.data_type == "FLOAT_VECTOR":
+            attribute.data.foreach_get("vector", rows)
+            rest = rows.reshape(-1, 3).astype(np.float64)
+        if uv_map and uv_map in mesh.uv_layers:
+            loops = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+            mesh.loop_triangles.foreach_get("loops", loops)
+            flat = np.empty(2 * len(mesh.loops), dtype=np.float32)
+            mesh.uv_layers[uv_map].data.foreach_get("uv", flat)
+            uvs = flat.reshape(-1, 2).astype(np.float64)[loops].reshape(-1, 3, 2)
+        return MeshNow(vertices, rest, corners.reshape(-1, 3).astype(np.uint32), uvs)
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def _triangle_count(mesh: bpy.types.Mesh) -> int:
+    return len(mesh.loops) - 2 * len(mesh.polygons)
+
+
+def deforms(obj: bpy.types.Object) -> bool:
+    """Whether an object's mesh may change its shape."""
+    return obj.data.shape_keys is not None or any(modifier.show_viewport and modifier.type not in _KEEP_SHAPE for modifier in obj.modifiers)
+
+
+class Surroundings:
+    """Reads the inputs of frames for one object of curves."""
+
+    def __init__(self, obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+        self.obj, self.scene = obj, scene
+        self.warnings: list[str] = []
+        curves = obj.data
+        if len(curves.points) == 0:
+            raise ValueError(f"curves {obj.name}: no points; draw some first")
+        self._attachment: Attachment | None = None
+        #: Whether the surface is not as it was drawn on (attribute rest_position).
+        self.moved_since_drawn = False
+        #: The surface at the first frame: vertices, m, and triangles.
+        self.surface_at_start: tuple[Numbers, npt.NDArray[np.uint32]] | None = None
+        self._count = len(curves.curves)
+        matrix = world_matrix(obj, depsgraph, scene)
+        self._stretch = polar(matrix)[1]
+        points = transformed(matrix, memory.drawn(curves))
+        counts = memory.point_counts(curves)
+        if curves.surface is not None:
+            points = self._attach(points, counts, depsgraph)
+        self.objects = self._collider_objects()
+        self._stretches: dict[str, Numbers] = {}
+        self.colliders = [self._collider(body, depsgraph) for body in self.objects]
+        self.rest = Rest(points, counts, self.colliders, self.inputs(depsgraph))
+        length = self.rest.median_length()
+        if not 0.005 <= length <= 1.2:
+            self.warnings.append(
+                f"the median curve is {length:.3g} m long, and hair is 0.005 to 1.2 m: set Scene Properties > Units > Unit Scale, so that the head is as large as a head"
+            )
+
+    def _attach(self, points: Numbers, counts: npt.NDArray[np.uint32], depsgraph: bpy.types.Depsgraph) -> Numbers:
+        """Puts the roots on the surface; returns the points as the surface of this frame carries them."""
+        curves, surface = self.obj.data, self.obj.data.surface
+        if surface.type != "MESH":
+            raise ValueError(f"surface {surface.name}: a {surface.type}; a mesh expected")
+        uv_map = curves.surface_uv_map
+        now = evaluated_mesh(surface, depsgraph, uv_map)
+        if len(now.triangles) == 0:
+            raise ValueError(f"surface {surface.name}: a mesh without faces")
+        matrix = world_matrix(surface, depsgraph, self.scene)
+        vertices = transformed(matrix, now.vertices)
+        self.surface_at_start = vertices, now.triangles
+        drawn_on = vertices if now.rest is None else transformed(matrix, now.rest)
+        roots = points[np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64)]
+        attribute = curves.attributes.get("surface_uv_coordinate")
+        if attribute is not None and now.uvs is not None:
+            uvs = np.empty(2 * self._count, dtype=np.float32)
+            attribute.data.foreach_get("vector", uvs)
+            self._attachment = Attachment.by_uvs(surface.name, drawn_on, now.triangles, now.uvs, uvs.reshape(-1, 2).astype(np.float64))
+        else:
+            # Without texture coordinates: the nearest triangles.
+            tree = BVHTree.FromPolygons(drawn_on.tolist(), now.triangles.tolist(), all_triangles=True)
+            hits = [tree.find_nearest(root) for root in roots.tolist()]
+            self._attachment = Attachment.by_places(surface.name, drawn_on, now.triangles, [hit[2] for hit in hits], [tuple(hit[0]) for hit in hits])
+        before = self._attachment.frames(drawn_on, len(now.triangles))
+        far = np.linalg.norm(before[:, :3] - roots, axis=1)
+        if np.any(far > FAR):
+            self.warnings.append(
+                f"{int((far > FAR).sum())} roots are more than {100 * FAR:.0f} cm from their place on {surface.name} (the farthest {100 * far.max():.1f} cm): "
+                "does its UV map overlap itself, or did the surface change? Snap to Nearest Surface attaches them again"
+            )
+        if np.array_equal(drawn_on, vertices):
+            return points
+        self.moved_since_drawn = True
+        after = self._attachment.frames(vertices, len(now.triangles))
+        owners = np.repeat(np.arange(self._count), counts)
+        local = relative(before[owners], shx.frames.frames(points))
+        return shx.frames.moved(after[owners], local)[:, :3]
+
+    def _collider_objects(self) -> list[bpy.types.Object]:
+        """The colliders, each once, by name, so that their order does not depend on a collection's."""
+        chosen = self.obj.superhelix
+        found = {body.name_full: body for body in (chosen.colliders.all_objects if chosen.colliders is not None else ()) if body.type == "MESH"}
+        surface = self.obj.data.surface
+        if chosen.use_surface and surface is not None:
+            found[surface.name_full] = surface
+        return [found[name] for name in sorted(found)]
+
+    def _collider(self, body: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Collider:
+        options = body.superhelix_collider
+        motion = Motion(options.motion) if options.motion != "AUTO" else Motion.DEFORMING if deforms(body) else Motion.RIGID
+        now = evaluated_mesh(body, depsgraph)
+        matrix = world_matrix(body, depsgraph, self.scene)
+        sides = None if options.sides == "AUTO" else shx.Sides[options.sides]
+        triangles = now.triangles
+        if motion is Motion.RIGID:
+            try:
+                self._stretches[body.name_full] = polar(matrix)[1]
+            except ValueError as error:
+                raise ValueError(f"collider {body.name}: {error}") from None
+            vertices = now.vertices @ self._stretches[body.name_full].T
+        else:
+            vertices = transformed(matrix, now.vertices)
+            if np.linalg.det(matrix[:3, :3]) < 0.0:
+                triangles = np.ascontiguousarray(triangles[:, ::-1])
+        scale = 1e-3
+        return Collider(body.name, motion, vertices, triangles, sides, options.cell * scale, options.thickness * scale, options.friction)
+
+    def inputs(self, depsgraph: bpy.types.Depsgraph) -> FrameInputs:
+        """What moves hair, as it is now."""
+        matrix = world_matrix(self.obj, depsgraph, self.scene)
+        if abs(np.linalg.det(matrix[:3, :3])) < 1e-30:
+            raise ValueError(f"curves {self.obj.name}: scaled to nothing")
+        if self._attachment is not None:
+            surface = self.obj.data.surface
+            if surface is None:
+                raise ValueError(f"curves {self.obj.name}: the surface is gone; reset the simulation")
+            now = evaluated_mesh(surface, depsgraph, topology=False)
+            carriers = self._attachment.frames(transformed(world_matrix(surface, depsgraph, self.scene), now.vertices), len(now.triangles))
+        else:
+            frame, stretch = polar(matrix)
+            self._check_stretch(f"curves {self.obj.name}", stretch, self._stretch)
+            carriers = np.tile(frame, (self._count, 1))
+        bodies = [self._body(collider, body, depsgraph) for collider, body in zip(self.colliders, self.objects, strict=True)]
+        return FrameInputs(carriers, bodies, np.linalg.inv(matrix), tuple(self.obj.superhelix.wind))
+
+    def _body(self, collider: Collider, body: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Numbers:
+        matrix = world_matrix(body, depsgraph, self.scene)
+        if collider.motion is Motion.DEFORMING:
+            return transformed(matrix, evaluated_mesh(body, depsgraph, topology=False).vertices)
+        frame, stretch = polar(matrix)
+        self._check_stretch(f"collider {body.name}", stretch, self._stretches[body.name_full])
+        return frame
+
+    @staticmethod
+    def _check_stretch(what: str, now: Numbers, first: Numbers) -> None:
+        if not np.allclose(now, first, rtol=1e-4, atol=1e-5 * np.abs(first).max()):
+            raise ValueError(f"{what}: its scale changes; a collider can be set to Deforming")
+
+    def close(self) -> None:
+        """Frees what it holds."""
+        if self._attachment is not None:
+            self._attachment.close()
