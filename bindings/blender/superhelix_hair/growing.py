@@ -9,6 +9,7 @@ import superhelix as shx
 from . import memory
 from .core.growth import Growth
 from .core.space import Attachment, transformed
+from .properties import exact
 from .surroundings import Surroundings, evaluated_mesh, world_matrix
 
 TRIANGLE, WEIGHTS = "superhelix_triangle", "superhelix_weights"
@@ -71,11 +72,11 @@ class Grown:
         self._attachment = Attachment(surface.name, vertices, faces, shx.records.FollicleTable(table))
         settings = shx.RenderSettings(
             points_per_strand=len(curves.points) // count,
-            curliness=chosen.curliness,
+            curliness=exact(chosen.curliness),
             interpolation=shx.Interpolation[chosen.follow],
             seed=chosen.render_seed,
-            radius=chosen.hair_radius * 1e-3,
-            tip_radius=chosen.hair_radius * 1e-3 * 15 / 40,
+            radius=exact(chosen.hair_radius) * 1e-3,
+            tip_radius=exact(chosen.hair_radius) * 1e-3 * 15 / 40,
         )
         self._around = around
         self._growth = Growth(around.rest, self._attachment.frames(vertices, len(faces)), settings)

@@ -11,6 +11,7 @@ import numpy.typing as npt
 Positions = npt.NDArray[np.float32]
 
 DRAWN = "superhelix_drawn"
+_TYPES = ("CATMULL_ROM", "POLY", "BEZIER", "NURBS")
 
 
 def point_counts(curves: bpy.types.Curves) -> npt.NDArray[np.uint32]:
@@ -40,7 +41,25 @@ def write(curves: bpy.types.Curves, positions: Positions) -> None:
         raise ValueError(f"curves {curves.name}: {len(curves.points)} points, where the simulation has {len(positions)}; reset it")
     if len(positions):
         np.copyto(view(curves), positions)
+        _forget_caches(curves)
     curves.update_tag()
+
+
+def types(curves: bpy.types.Curves) -> set[str]:
+    """The types of the curves."""
+    attribute = curves.attributes.get("curve_type")
+    if attribute is None:
+        return {"CATMULL_ROM"}
+    numbers = np.empty(len(curves.curves), dtype=np.int8)
+    attribute.data.foreach_get("value", numbers)
+    return {_TYPES[number] for number in np.unique(numbers).tolist()}
+
+
+def _forget_caches(curves: bpy.types.Curves) -> None:
+    """Makes Blender compute bounds and splines again: whatever Python writes to positions, it keeps those of older ones, until types are set."""
+    present = types(curves)
+    if len(present) == 1:
+        curves.set_types(type=present.pop())
 
 
 def drawn(curves: bpy.types.Curves) -> Positions:

@@ -102,6 +102,8 @@ class SUPERHELIX_OT_setup(HairOperator):
             raise ValueError(f"curves {obj.name}: {curves.users} objects share its data; make it single user (Object > Relations)")
         if len(curves.curves) == 0:
             raise ValueError(f"curves {obj.name}: no curves; draw some first")
+        if len(memory.types(curves)) > 1 or "BEZIER" in memory.types(curves):
+            raise ValueError(f"curves {obj.name}: of types {', '.join(sorted(memory.types(curves)))}; make all Catmull-Rom or Poly (Curves > Set Curve Type)")
         around = Surroundings(obj, context.scene, context.evaluated_depsgraph_get())
         around.close()
         if memory.DRAWN not in curves.attributes:

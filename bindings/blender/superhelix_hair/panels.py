@@ -63,6 +63,8 @@ class SUPERHELIX_PT_hair(_Physics, bpy.types.Panel):
             layout.prop(chosen, "hold")
             layout.prop(chosen, "hairs")
         layout.prop(chosen, "wind")
+        if chosen.hair_type == "DEFAULT":
+            layout.prop(chosen, "air_drag")
         layout.operator("superhelix.remove", icon="X")
 
 

@@ -72,27 +72,38 @@ class Playback:
         self.state, self.message = State.FAILED, str(error) or type(error).__name__
 
     def start(self, obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-        """Builds the simulation. The scene is at its first frame."""
-        self.close()
-        settings = settings_of(obj)
-        fps = scene.render.fps / scene.render.fps_base
+        """Builds the simulation, unless the one that there is starts alike. The scene is at its first frame."""
         around = Surroundings(obj, scene, depsgraph)
         try:
-            folder, keep = cache_folder(obj)
-            arguments = {"folder": folder, "frame_time": 1.0 / fps, "first": obj.superhelix.frame_start, "snapshot_every": obj.superhelix.snapshot_every}
-            try:
-                self.session = Session(around.rest, settings, **arguments)
-            except store.CacheMismatchError:
-                if keep:
-                    raise
-                # Nobody chose this folder: its frames are of no use any more.
-                store.free(folder)
-                self.session = Session(around.rest, settings, **arguments)
+            if self.session is not None and not self.is_stale(obj, scene) and around.rest.digest() == self.session.rest.digest():
+                around.close()
+                return
+            self.close()
+            self.session = self._open(obj, scene, around)
         except BaseException:
             around.close()
             raise
         self.around, self.warnings = around, list(around.warnings)
         self._digest = self._digest_of(obj, scene)
+
+    @staticmethod
+    def _open(obj: bpy.types.Object, scene: bpy.types.Scene, around: Surroundings) -> Session:
+        """A session in the cache folder."""
+        folder, keep = cache_folder(obj)
+        options, frame_time = obj.superhelix, scene.render.fps_base / scene.render.fps
+
+        def session() -> Session:
+            first, every = options.frame_start, options.snapshot_every
+            return Session(around.rest, settings_of(obj), folder=folder, frame_time=frame_time, first=first, snapshot_every=every)
+
+        try:
+            return session()
+        except store.CacheMismatchError:
+            if keep:
+                raise
+            # Nobody chose this folder: its frames are of no use any more.
+            store.free(folder)
+            return session()
 
     @staticmethod
     def _digest_of(obj: bpy.types.Object, scene: bpy.types.Scene) -> str:
@@ -110,10 +121,11 @@ class Playback:
         if self.written is not None and len(self.written) == len(obj.data.points) and not np.array_equal(memory.read(obj.data), self.written):
             self.state, self.message = State.EDITED, "Make It Rest as Drawn keeps the edit, Discard Edits drops it"
             return
-        if frame <= first and (self.session is None or self.is_stale(obj, scene)):
-            if frame < first:
-                self._write(obj, memory.drawn(obj.data))
-                return
+        if frame < first:
+            self.state, self.message = State.READY, ""
+            self._write(obj, memory.drawn(obj.data))
+            return
+        if frame == first and scene.frame_subframe == 0.0:
             self.start(obj, scene, depsgraph)
         if self.session is None and self.recorded is None:
             folder, _ = cache_folder(obj)

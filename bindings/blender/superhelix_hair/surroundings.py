@@ -13,6 +13,7 @@ from mathutils.bvhtree import BVHTree
 from . import memory
 from .core.rest import Collider, FrameInputs, Motion, Rest
 from .core.space import Attachment, Numbers, polar, relative, transformed
+from .properties import exact
 
 #: Modifiers that keep a mesh in one shape. Any other may deform it.
 _KEEP_SHAPE = {
@@ -27,7 +28,7 @@ FAR = 0.03
 def metres_per_unit(scene: bpy.types.Scene) -> float:
     """Metres per Blender unit. Scenes without a unit system have metres."""
     settings = scene.unit_settings
-    return 1.0 if settings.system == "NONE" else settings.scale_length
+    return 1.0 if settings.system == "NONE" else exact(settings.scale_length)
 
 
 def world_matrix(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph, scene: bpy.types.Scene) -> Numbers:
@@ -100,7 +101,7 @@ class Surroundings:
         self.surface_at_start: tuple[Numbers, npt.NDArray[np.uint32]] | None = None
         self._count = len(curves.curves)
         matrix = world_matrix(obj, depsgraph, scene)
-        self._stretch = polar(matrix)[1]
+        self._stretch = np.eye(3) if curves.surface is not None else self._polar(f"curves {obj.name}", matrix)[1]
         points = transformed(matrix, memory.drawn(curves))
         counts = memory.point_counts(curves)
         if curves.surface is not None:
@@ -133,7 +134,10 @@ class Surroundings:
         if attribute is not None and now.uvs is not None:
             uvs = np.empty(2 * self._count, dtype=np.float32)
             attribute.data.foreach_get("vector", uvs)
-            self._attachment = Attachment.by_uvs(surface.name, drawn_on, now.triangles, now.uvs, uvs.reshape(-1, 2).astype(np.float64))
+            try:
+                self._attachment = Attachment.by_uvs(surface.name, drawn_on, now.triangles, now.uvs, uvs.reshape(-1, 2).astype(np.float64))
+            except shx.InvalidArgumentError as error:
+                raise ValueError(f"curves {self.obj.name}: {error}; Curves > Snap to Nearest Surface attaches them again") from None
         else:
             # Without texture coordinates: the nearest triangles.
             tree = BVHTree.FromPolygons(drawn_on.tolist(), now.triangles.tolist(), all_triangles=True)
@@ -171,17 +175,14 @@ class Surroundings:
         sides = None if options.sides == "AUTO" else shx.Sides[options.sides]
         triangles = now.triangles
         if motion is Motion.RIGID:
-            try:
-                self._stretches[body.name_full] = polar(matrix)[1]
-            except ValueError as error:
-                raise ValueError(f"collider {body.name}: {error}") from None
+            self._stretches[body.name_full] = self._polar(f"collider {body.name}", matrix)[1]
             vertices = now.vertices @ self._stretches[body.name_full].T
         else:
             vertices = transformed(matrix, now.vertices)
             if np.linalg.det(matrix[:3, :3]) < 0.0:
                 triangles = np.ascontiguousarray(triangles[:, ::-1])
-        scale = 1e-3
-        return Collider(body.name, motion, vertices, triangles, sides, options.cell * scale, options.thickness * scale, options.friction)
+        cell, thickness = 1e-3 * exact(options.cell), 1e-3 * exact(options.thickness)
+        return Collider(body.name, motion, vertices, triangles, sides, cell, thickness, exact(options.friction))
 
     def inputs(self, depsgraph: bpy.types.Depsgraph) -> FrameInputs:
         """What moves hair, as it is now."""
@@ -195,7 +196,7 @@ class Surroundings:
             now = evaluated_mesh(surface, depsgraph, topology=False)
             carriers = self._attachment.frames(transformed(world_matrix(surface, depsgraph, self.scene), now.vertices), len(now.triangles))
         else:
-            frame, stretch = polar(matrix)
+            frame, stretch = self._polar(f"curves {self.obj.name}", matrix)
             self._check_stretch(f"curves {self.obj.name}", stretch, self._stretch)
             carriers = np.tile(frame, (self._count, 1))
         bodies = [self._body(collider, body, depsgraph) for collider, body in zip(self.colliders, self.objects, strict=True)]
@@ -205,9 +206,16 @@ class Surroundings:
         matrix = world_matrix(body, depsgraph, self.scene)
         if collider.motion is Motion.DEFORMING:
             return transformed(matrix, evaluated_mesh(body, depsgraph, topology=False).vertices)
-        frame, stretch = polar(matrix)
+        frame, stretch = self._polar(f"collider {body.name}", matrix)
         self._check_stretch(f"collider {body.name}", stretch, self._stretches[body.name_full])
         return frame
+
+    @staticmethod
+    def _polar(what: str, matrix: Numbers) -> tuple[Numbers, Numbers]:
+        try:
+            return polar(matrix)
+        except ValueError as error:
+            raise ValueError(f"{what}: {error}") from None
 
     @staticmethod
     def _check_stretch(what: str, now: Numbers, first: Numbers) -> None:

@@ -34,8 +34,10 @@ def mesh_object(name: str, vertices, faces, uvs: bool = False) -> bpy.types.Obje
 
 def curves_object(name: str, points, counts) -> bpy.types.Object:
     curves = bpy.data.hair_curves.new(name)
-    curves.add_curves([int(count) for count in counts])
-    curves.attributes["position"].data.foreach_set("vector", np.asarray(points, dtype=np.float32).reshape(-1))
+    if len(counts):
+        # Blender 5.0 crashes on an empty list.
+        curves.add_curves([int(count) for count in counts])
+        curves.attributes["position"].data.foreach_set("vector", np.asarray(points, dtype=np.float32).reshape(-1))
     obj = bpy.data.objects.new(name, curves)
     bpy.context.scene.collection.objects.link(obj)
     return obj

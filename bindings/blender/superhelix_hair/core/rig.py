@@ -60,7 +60,7 @@ class Rig:
     def _add(self, rest: Rest, settings: HairSettings, rod: shx.hair.WispMaterial, contact: shx.StrandContact, elements: int) -> None:
         solver, thick = self.solver, max(rod.material.radius)
         defs = [body.definition(pose) for body, pose in zip(rest.colliders, rest.inputs.bodies, strict=True)]
-        self.bodies = [solver.add_body(definition) for definition in defs]
+        self.bodies: list[shx.BodyId] = [solver.add_body(definition) for definition in defs]
         points, self.stuck = _pushed_out(solver, self.bodies, rest, contact.radius)
         fit = fit_groom(shx.Groom(points, rest.point_counts), elements, worker_count=settings.worker_count)
         good = fit.fitted & (fit.strands.length > 2.0 * thick)
@@ -101,9 +101,9 @@ class Rig:
                 uniform.setdefault(len(along), []).append(strand)
             else:
                 self._rows.append((strand, int(starts[curve]), along))
-        #: Strands whose points are even go by one call for all of the same number.
+        #: Strands whose points are even go by one call for all of the same number: their places, the number, and the rows of their points.
         self._even = [
-            (self.strands[np.array(places)], count, (starts[self.indices[places]][:, None] + np.arange(count)).reshape(-1))
+            (np.array(places), count, (starts[self.indices[places]][:, None] + np.arange(count)).reshape(-1))
             for count, places in uniform.items()
         ]
         carried = [np.arange(starts[curve], ends[curve]) for curve in self.skipped.tolist()]
@@ -116,8 +116,8 @@ class Rig:
     def points(self, carriers: Numbers) -> Numbers:
         """Where the drawn points are now, world space, m, curve by curve. carriers: those of the present frame, for curves that are not simulated."""
         out = np.empty_like(self.rest.points)
-        for ids, count, rows in self._even:
-            out[rows] = self.solver.sample_strands(count, ids, dtype=np.float64).reshape(-1, 3)
+        for places, count, rows in self._even:
+            out[rows] = self.solver.sample_strands(count, self.strands[places], dtype=np.float64).reshape(-1, 3)
         for strand, start, along in self._rows:
             self.solver.sample_at(self.strands[strand], along, out=out[start : start + len(along)])
         if len(self._carried):
@@ -128,6 +128,12 @@ class Rig:
     def local_points(self, inputs: FrameInputs) -> npt.NDArray[np.float32]:
         """The same in the space of the curves' positions, rounded as Blender stores them."""
         return transformed(inputs.to_local, self.points(inputs.carriers)).astype(np.float32)
+
+    def restore(self, image: bytes) -> None:
+        """Puts the solver into the state of a snapshot of this rig, also one that another process took."""
+        self.solver.restore(image)
+        # A snapshot brings the ids of the solver that wrote it.
+        self.strands, self.bodies = self.solver.strand_ids(), list(self.solver.body_ids())
 
     def check(self, inputs: FrameInputs) -> None:
         """Raises ValueError if the inputs of a frame do not belong to this rig."""

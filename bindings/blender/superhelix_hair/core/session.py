@@ -80,7 +80,7 @@ class Session:
             if image is None:
                 continue
             try:
-                self.rig.solver.restore(image)
+                self.rig.restore(image)
             except shx.SuperhelixError as error:
                 self.notes.append(f"the snapshot of frame {frame} cannot be used: {error}")
                 continue

@@ -32,6 +32,8 @@ class HairSettings:
 
     #: A measured type, or "" for the engine's default hair.
     hair_type: str = ""
+    #: Air drag of one hair, kg/(m s); None: that of the type. Without any, hair does not feel wind.
+    air_drag: float | None = None
     #: Hairs that a curve stands for, and how firmly they hold. bare: a curve is one hair.
     hairs: float = 200.0
     hold: float = 0.6
@@ -68,7 +70,7 @@ class HairSettings:
     def one_hair(self) -> shx.Material | None:
         """The material of one hair; None: the engine's default."""
         if not self.hair_type:
-            return None
+            return None if self.air_drag is None else shx.Material(air_drag=self.air_drag)
         table = shx.hair_strands(shx.hair_type(self.hair_type), [1], [0.1]).strands
         return shx.Material(
             radius=tuple(float(number) for number in table.radius[0]),
@@ -76,7 +78,7 @@ class HairSettings:
             youngs_modulus=float(table.youngs_modulus[0]),
             poisson_ratio=float(table.poisson_ratio[0]),
             internal_friction=float(table.internal_friction[0]),
-            air_drag=float(table.air_drag[0]),
+            air_drag=float(table.air_drag[0]) if self.air_drag is None else self.air_drag,
         )
 
     def rod(self) -> shx.hair.WispMaterial:

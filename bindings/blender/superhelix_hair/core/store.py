@@ -20,6 +20,7 @@ import numpy.typing as npt
 Positions = npt.NDArray[np.float32]
 
 FORMAT = 1
+_OURS = re.compile(r"^(\d{6,}\.(npy|snap)|cache\.json)(\.\d+\.part)?$")
 _NAME = re.compile(r"^(\d{6,})\.npy$")
 
 
@@ -167,7 +168,7 @@ def free(folder: str | os.PathLike[str]) -> int:
     if not place.is_dir():
         return 0
     for file in sorted(place.iterdir(), reverse=True):
-        if re.match(r"^\d{6,}\.(npy|snap)$|^cache\.json$|\.\d+\.part$", file.name):
+        if _OURS.match(file.name):
             count += file.suffix == ".npy"
             file.unlink()
     with contextlib.suppress(OSError):
