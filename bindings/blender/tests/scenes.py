@@ -77,9 +77,12 @@ def sintel(every: int = 1, unit: float = 1.0):
     return groom.points @ TURN.T / unit, groom.point_counts, vertices @ TURN.T / unit, faces
 
 
-def head_scene(every: int = 1, unit: float = 1.0, frames: int = 100, fps: int = 24, uvs: bool = True):
-    """The groom on the bust on an empty object that can be animated: (carrier, bust, hair)."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+def head_scene(every: int = 1, unit: float = 1.0, frames: int = 100, fps: int = 24, uvs: bool = True, settings: bool = False):
+    """The groom on the bust on an empty object that can be animated: (carrier, bust, hair). settings: keeps those of the user, with extensions."""
+    if settings:
+        bpy.ops.wm.read_homefile(use_empty=True)
+    else:
+        bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.frame_start, scene.frame_end, scene.render.fps = 1, frames, fps
     scene.unit_settings.system, scene.unit_settings.scale_length = "METRIC", unit
