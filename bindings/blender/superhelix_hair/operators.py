@@ -35,7 +35,9 @@ def _surface_modifiers(obj: bpy.types.Object) -> list[bpy.types.Modifier]:
     return [
         modifier
         for modifier in obj.modifiers
-        if modifier.type == "NODES" and modifier.node_group is not None and any(node.bl_idname == "GeometryNodeDeformCurvesOnSurface" for node in modifier.node_group.nodes)
+        if modifier.type == "NODES"
+        and modifier.node_group is not None
+        and any(node.bl_idname == "GeometryNodeDeformCurvesOnSurface" for node in modifier.node_group.nodes)
     ]
 
 
@@ -199,7 +201,8 @@ class SUPERHELIX_OT_fit(HairOperator):
                 elements[rig.indices] = rig.fit.strands.element_count
                 memory.put_numbers(obj.data, "superhelix_fit_error", "FLOAT", errors)
                 memory.put_numbers(obj.data, "superhelix_elements", "INT", elements)
-                text = f"{len(rig.indices)} curves, {int(elements.sum())} elements; farthest point {errors.max():.2f} mm off, {np.median(errors):.2f} mm for the median curve"
+                middle, worst = float(np.median(errors)), float(errors.max())
+                text = f"{len(rig.indices)} curves, {int(elements.sum())} elements; the median curve is {middle:.2f} mm off at most, the worst {worst:.2f} mm"
                 if len(rig.skipped):
                     self.report({"WARNING"}, f"{len(rig.skipped)} curves without length are not simulated, and follow their roots")
                 if rig.stuck:
@@ -231,7 +234,9 @@ class PosingOperator(HairOperator):
                 after = transformed(np.linalg.inv(world_matrix(obj, graph, context.scene)), posed.points).astype(np.float32)
                 # A surface that has moved since it was drawn on carries the drawn hair: only strokes on the others can be kept.
                 if around.moved_since_drawn:
-                    raise ValueError(f"surface {obj.data.surface.name}: deformed at frame {context.scene.frame_current}; pose hair where the surface is as it was drawn on")
+                    raise ValueError(
+                        f"surface {obj.data.surface.name}: deformed at frame {context.scene.frame_current}; pose hair where the surface is as it was drawn on"
+                    )
                 _hand_over(obj, context, np.where(changed[:, None], after, before))
             return posed
         finally:

@@ -108,7 +108,15 @@ class Playback:
     @staticmethod
     def _digest_of(obj: bpy.types.Object, scene: bpy.types.Scene) -> str:
         options = obj.superhelix
-        rest = (options.frame_start, options.snapshot_every, options.cache_folder, options.use_surface, options.colliders, scene.render.fps, scene.render.fps_base)
+        rest = (
+            options.frame_start,
+            options.snapshot_every,
+            options.cache_folder,
+            options.use_surface,
+            options.colliders,
+            scene.render.fps,
+            scene.render.fps_base,
+        )
         return f"{settings_of(obj).digest()} {rest}"
 
     def is_stale(self, obj: bpy.types.Object, scene: bpy.types.Scene) -> bool:

@@ -63,7 +63,9 @@ class HairOptions(bpy.types.PropertyGroup):
     """How curves are simulated, or grown."""
 
     role: EnumProperty(name="Role", items=_ROLES, default="NONE", options={"HIDDEN"})
-    hair_type: EnumProperty(name="Hair Type", items=_TYPES, default="DEFAULT", description="Thickness, stiffness, drag and friction of one hair. Shapes stay as drawn")
+    hair_type: EnumProperty(
+        name="Hair Type", items=_TYPES, default="DEFAULT", description="Thickness, stiffness, drag and friction of one hair. Shapes stay as drawn"
+    )
     quality: EnumProperty(name="Quality", items=_QUALITIES, default="STANDARD", description="How finely to simulate")
     lock: EnumProperty(
         name="Curve Is",
@@ -82,7 +84,9 @@ class HairOptions(bpy.types.PropertyGroup):
         subtype="FACTOR",
         description="How firmly locks keep their style: 0 clean loose hair, 0.4 soft, 0.6 styled, 0.7 with product, 1 lacquered",
     )
-    hairs: FloatProperty(name="Hairs per Lock", default=200.0, min=1.0, max=1e6, precision=0, description="How many hairs a curve stands for: weight and thickness")
+    hairs: FloatProperty(
+        name="Hairs per Lock", default=200.0, min=1.0, max=1e6, precision=0, description="How many hairs a curve stands for: weight and thickness"
+    )
     substeps: IntProperty(name="Substeps", default=0, min=0, max=1000, description="Steps per frame. 0: as the quality says")
     element_count: IntProperty(name="Elements", default=0, min=0, max=1000, description="Helical elements of a curve; curls get more. 0: as the quality says")
     hair_contact: BoolProperty(name="Hair on Hair", default=False, description="Locks collide with each other. Costs several times more")
@@ -92,7 +96,7 @@ class HairOptions(bpy.types.PropertyGroup):
         default=5.0,
         min=0.0,
         max=1000.0,
-        description="Drag of one hair of the default type, in 10⁻⁶ kg/(m s): 5 disciplined, 50 fuzzy. At 0, hair does not feel wind. Measured types have theirs",
+        description="Drag of one hair of the default type, 10⁻⁶ kg/(m s): 5 disciplined, 50 fuzzy, 0 does not feel wind",
     )
     gravity: FloatVectorProperty(name="Gravity (m/s²)", default=(0.0, 0.0, -9.81), size=3, description="Gravity, m/s², whatever the scene's unit scale")
     wind: FloatVectorProperty(name="Wind (m/s)", default=(0.0, 0.0, 0.0), size=3, description="Wind, m/s. It can be animated")

@@ -113,7 +113,7 @@ class Surroundings:
         length = self.rest.median_length()
         if not 0.005 <= length <= 1.2:
             self.warnings.append(
-                f"the median curve is {length:.3g} m long, and hair is 0.005 to 1.2 m: set Scene Properties > Units > Unit Scale, so that the head is as large as a head"
+                f"the median curve is {length:.3g} m long, and hair is 0.005 to 1.2 m: set Unit Scale (Scene Properties > Units), so that the head has its size"
             )
 
     def _attach(self, points: Numbers, counts: npt.NDArray[np.uint32], depsgraph: bpy.types.Depsgraph) -> Numbers:

@@ -16,6 +16,7 @@ collect_ignore_glob = [] if HAS_BLENDER else ["test_blender_*.py"]
 
 if HAS_BLENDER:
     import bpy
+
     import superhelix_hair
 
     superhelix_hair.register()

@@ -137,7 +137,11 @@ def key(obj: bpy.types.Object, frame: int, matrix) -> None:
 def linear(obj: bpy.types.Object) -> None:
     """Straight lines between keys: a key for each frame needs no curves."""
     action = obj.animation_data.action
-    curves = action.fcurves if hasattr(action, "fcurves") else [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
+    curves = (
+        action.fcurves
+        if hasattr(action, "fcurves")
+        else [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
+    )
     for curve in curves:
         for point in curve.keyframe_points:
             point.interpolation = "LINEAR"

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 import scenes
 import superhelix as shx
+
 from superhelix_hair import memory, play
 from superhelix_hair.core.space import polar, relative, transformed
 from superhelix_hair.play import State
@@ -58,7 +59,9 @@ def engine_run(bust: bpy.types.Object, hair: bpy.types.Object, frames: int) -> l
     scalp = shx.Scalp(transformed(world(bust), vertices), faces, uvs=uv.reshape(-1, 3, 2))
     follicles = scalp.follicles_at_uvs(at.reshape(-1, 2))
     pose, stretch = polar(world(bust))
-    body = shx.BodyDef.grid(shx.bake_distance_grid(vertices @ stretch.T, faces, 0.005, 0.03), pose=shx.Frame(origin=pose[:3].tolist(), rotation=pose[3:].tolist()))
+    body = shx.BodyDef.grid(
+        shx.bake_distance_grid(vertices @ stretch.T, faces, 0.005, 0.03), pose=shx.Frame(origin=pose[:3].tolist(), rotation=pose[3:].tolist())
+    )
     rows = []
     with shx.prepare(shx.Groom(drawn, counts), body=body, hair=shx.Material(air_drag=5e-6)) as made:
         assert len(made.skipped) == 0
@@ -285,7 +288,7 @@ def test_bounds_follow() -> None:
 
 
 def test_exporters_see_motion(tmp_path: Path) -> None:
-    carrier, _, hair = scenes.head_scene(every=8, frames=6)
+    carrier, _, _ = scenes.head_scene(every=8, frames=6)
     scenes.shake(carrier, 6, angle=0.6)
     bpy.ops.superhelix.setup()
     bpy.ops.superhelix.bake()
@@ -306,9 +309,7 @@ def test_exporters_see_motion(tmp_path: Path) -> None:
             read = memory.read(found.evaluated_get(bpy.context.evaluated_depsgraph_get()).data)
             assert np.allclose(read, rows[frame - 1], atol=1e-6)
         assert not np.allclose(rows[0], rows[5], atol=1e-4)
-        carrier, _, hair = scenes.head_scene(every=8, frames=6)
+        carrier, _, _ = scenes.head_scene(every=8, frames=6)
         scenes.shake(carrier, 6, angle=0.6)
         bpy.ops.superhelix.setup()
         bpy.ops.superhelix.bake()
-
-

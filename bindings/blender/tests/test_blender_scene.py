@@ -8,9 +8,10 @@ import bpy
 import numpy as np
 import pytest
 import scenes
+from test_blender_play import check, go
+
 from superhelix_hair import memory, play
 from superhelix_hair.play import State
-from test_blender_play import check, go
 
 
 def still_head(every: int = 8, frames: int = 24) -> tuple[bpy.types.Object, bpy.types.Object]:
@@ -303,7 +304,6 @@ def test_a_rigid_collider_is_stretched_by_its_scale() -> None:
 def test_roots_follow_a_surface_that_deforms() -> None:
     """A sheet that an armature's bone bends: roots and directions follow it; hair drawn on the flat sheet stands on the bent one at the start."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    scene = bpy.context.scene
     n = 11
     x, y = np.meshgrid(np.linspace(-0.1, 0.1, n), np.linspace(-0.1, 0.1, n))
     vertices = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import superhelix as shx
+
 from superhelix_hair.core import store
 from superhelix_hair.core.pose import Poser
 from superhelix_hair.core.rest import Collider, FrameInputs, Motion, Rest, is_closed
@@ -299,7 +300,7 @@ def test_short_curves_follow_their_roots(tmp_path: Path) -> None:
 
 
 def test_rests_as_drawn(tmp_path: Path) -> None:
-    rest, inputs = scene()
+    rest, _ = scene()
     session = make(rest, tmp_path)
     still = FrameInputs(rest.inputs.carriers, rest.inputs.bodies)
     # Wind is a force that is not in the drawing.

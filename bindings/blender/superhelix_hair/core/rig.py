@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 import superhelix as shx
@@ -35,7 +37,7 @@ class Rig:
         chosen = self._choose(rest, settings, frame_time)
         self.substeps = settings.substeps or (2 if chosen is None else chosen.substeps)
         elements = settings.element_count or (10 if chosen is None else chosen.element_count)
-        fields = {"tolerance": 1e-4} if chosen is None else {}
+        fields: dict[str, Any] = {"tolerance": 1e-4} if chosen is None else {}
         self.solver = shx.Solver(gravity=settings.gravity, worker_count=settings.worker_count, settings=chosen, **fields)
         try:
             self._add(rest, settings, rod, contact, elements)
@@ -102,10 +104,7 @@ class Rig:
             else:
                 self._rows.append((strand, int(starts[curve]), along))
         #: Strands whose points are even go by one call for all of the same number: their places, the number, and the rows of their points.
-        self._even = [
-            (np.array(places), count, (starts[self.indices[places]][:, None] + np.arange(count)).reshape(-1))
-            for count, places in uniform.items()
-        ]
+        self._even = [(np.array(places), count, (starts[self.indices[places]][:, None] + np.arange(count)).reshape(-1)) for count, places in uniform.items()]
         carried = [np.arange(starts[curve], ends[curve]) for curve in self.skipped.tolist()]
         self._carried = np.concatenate(carried) if carried else np.zeros(0, dtype=np.int64)
         owners = np.repeat(np.arange(len(ends)), self.rest.point_counts)[self._carried]

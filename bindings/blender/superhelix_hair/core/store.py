@@ -75,7 +75,9 @@ class FrameStore:
         if not isinstance(found, dict) or found != self.identity:
             known = found if isinstance(found, dict) else {}
             other = [name for name in self.identity if known.get(name) != self.identity[name]]
-            raise CacheMismatchError(f"cache folder {self.folder}: its frames belong to another simulation (other: {', '.join(other)}); free it, or choose another folder")
+            raise CacheMismatchError(
+                f"cache folder {self.folder}: its frames belong to another simulation (other: {', '.join(other)}); free it, or choose another folder"
+            )
 
     def _find_last(self) -> int:
         """The last frame without a gap before it; first - 1: none."""
