@@ -15,7 +15,6 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE / "tests")]
 
-import bmesh  # noqa: E402
 import bpy  # noqa: E402
 import numpy as np  # noqa: E402
 import scenes  # noqa: E402
@@ -71,6 +70,9 @@ def light(place: tuple[float, float, float], aim: Vector, power: float, size: fl
 
 def with_eyes(bust: bpy.types.Object) -> bpy.types.Object:
     """A copy of a bust to render: the holes where its eyes should be are filled, a little behind their rims."""
+    # There only once bpy is.
+    import bmesh
+
     build = bmesh.new()
     build.from_mesh(bust.data)
     rims = [edge for edge in build.edges if edge.is_boundary]
