@@ -15,14 +15,14 @@ from .surroundings import Surroundings, evaluated_mesh, world_matrix
 TRIANGLE, WEIGHTS = "superhelix_triangle", "superhelix_weights"
 
 
-def scatter(around: Surroundings, count: int, seed: int) -> shx.records.FollicleTable:
+def scatter(guides: bpy.types.Object, scene: bpy.types.Scene, around: Surroundings, count: int, seed: int) -> shx.records.FollicleTable:
     """Follicles on the surface, where the guides cover it."""
-    surface = around.obj.data.surface
+    surface = guides.data.surface
     if surface is None:
-        raise ValueError(f"curves {around.obj.name}: no surface; render hair grows on the surface that its guides are attached to (Object Data > Surface)")
+        raise ValueError(f"curves {guides.name}: no surface; render hair grows on the surface that its guides are attached to (Object Data > Surface)")
     graph = bpy.context.evaluated_depsgraph_get()
     now = evaluated_mesh(surface, graph)
-    vertices = transformed(world_matrix(surface, graph, around.scene), now.vertices)
+    vertices = transformed(world_matrix(surface, graph, scene), now.vertices)
     starts = np.concatenate([[0], np.cumsum(around.rest.point_counts)[:-1]]).astype(np.int64)
     with shx.Scalp(vertices, now.triangles) as scalp:
         return scalp.scatter(count, guide_roots=around.rest.points[starts], seed=seed)
@@ -31,7 +31,7 @@ def scatter(around: Surroundings, count: int, seed: int) -> shx.records.Follicle
 def create(guides: bpy.types.Object, around: Surroundings, context: bpy.types.Context) -> bpy.types.Object:
     """Makes an object of render hair, on follicles that its curves remember."""
     chosen = guides.superhelix
-    follicles = scatter(around, chosen.render_count, chosen.render_seed)
+    follicles = scatter(guides, context.scene, around, chosen.render_count, chosen.render_seed)
     if len(follicles) == 0:
         raise ValueError(f"curves {guides.name}: no follicle lies near a guide")
     curves = bpy.data.hair_curves.new(f"{guides.name} Render Hair")
@@ -53,11 +53,11 @@ def create(guides: bpy.types.Object, around: Surroundings, context: bpy.types.Co
 class Grown:
     """Render hair that is bound to its guides."""
 
-    def __init__(self, obj: bpy.types.Object, around: Surroundings, scene: bpy.types.Scene) -> None:
+    def __init__(self, obj: bpy.types.Object, guides: bpy.types.Object, around: Surroundings) -> None:
         curves, chosen = obj.data, obj.superhelix
-        surface = around.obj.data.surface
+        surface = guides.data.surface
         if surface is None:
-            raise ValueError(f"curves {around.obj.name}: the surface is gone")
+            raise ValueError(f"curves {guides.name}: the surface is gone")
         count = len(curves.curves)
         table = np.zeros(count, dtype=np.dtype(shx.records.FollicleTable._STRUCT))
         triangles, weights = np.empty(count, dtype=np.int32), np.empty(2 * count, dtype=np.float32)
@@ -65,7 +65,7 @@ class Grown:
         curves.attributes[WEIGHTS].data.foreach_get("vector", weights)
         table["triangle"], table["barycentric"] = triangles, np.clip(weights.reshape(-1, 2), 0.0, 1.0)
         if around.surface_at_start is None:
-            raise ValueError(f"curves {around.obj.name}: attached to no surface when the simulation started; reset it")
+            raise ValueError(f"curves {guides.name}: attached to no surface when the simulation started; reset it")
         vertices, faces = around.surface_at_start
         if triangles.max(initial=0) >= len(faces):
             raise ValueError(f"render hair {obj.name}: the surface has lost faces; grow it again")
@@ -85,14 +85,13 @@ class Grown:
         """Whether this follows guides that are still there."""
         return self._around is around
 
-    def show(self, obj: bpy.types.Object, around: Surroundings, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+    def show(self, obj: bpy.types.Object, guides: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
         """Puts the hair where the guides are now."""
-        guides = around.obj
         surface = guides.data.surface
         points = transformed(world_matrix(guides, depsgraph, scene), memory.read(guides.data))
         now = evaluated_mesh(surface, depsgraph, topology=False)
         roots = self._attachment.frames(transformed(world_matrix(surface, depsgraph, scene), now.vertices), len(now.triangles))
-        inputs = around.inputs(depsgraph)
+        inputs = self._around.inputs(guides, scene, depsgraph)
         hair = self._growth.evaluate(points, inputs, roots).reshape(-1, 4)
         matrix = world_matrix(obj, depsgraph, scene)
         memory.write(obj.data, transformed(np.linalg.inv(matrix), hair[:, :3]).astype(np.float32))

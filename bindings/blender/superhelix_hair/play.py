@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import re
 import time
 import traceback
 from enum import Enum
@@ -20,8 +19,6 @@ from .core.session import CancelledError, Session
 from .growing import Grown
 from .properties import Role, settings_of
 from .surroundings import Surroundings
-
-_FORBIDDEN = re.compile(r"[^\w.-]+")
 
 
 class State(Enum):
@@ -113,7 +110,7 @@ class Playback:
             options.snapshot_every,
             options.cache_folder,
             options.use_surface,
-            options.colliders,
+            options.colliders.name_full if options.colliders is not None else "",
             scene.render.fps,
             scene.render.fps_base,
         )
@@ -149,7 +146,7 @@ class Playback:
             if self.is_stale(obj, scene):
                 self.state, self.message = State.WAITING, f"The options have changed: go to frame {first}"
                 return
-            self._advance(depsgraph)
+            self._advance(obj, scene, depsgraph)
         positions = _between(frames, max(frame + scene.frame_subframe, frames.first))
         if positions is None:
             self.state, self.message = State.WAITING, f"Frames {frames.first} to {frames.last} are simulated: play on from there, or bake"
@@ -157,10 +154,10 @@ class Playback:
         if positions is not None:
             self._write(obj, positions)
 
-    def _advance(self, depsgraph: bpy.types.Depsgraph) -> None:
+    def _advance(self, obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
         assert self.session is not None and self.around is not None
         before = time.perf_counter()
-        self.session.advance(self.around.inputs(depsgraph), self.cancel)
+        self.session.advance(self.around.inputs(obj, scene, depsgraph), self.cancel)
         self.seconds = time.perf_counter() - before
 
     def _write(self, obj: bpy.types.Object, positions: memory.Positions) -> None:
@@ -192,7 +189,7 @@ def cache_folder(obj: bpy.types.Object) -> tuple[Path, bool]:
     chosen = obj.superhelix.cache_folder
     if chosen:
         return Path(bpy.path.abspath(chosen)), True
-    return Path(bpy.app.tempdir) / f"superhelix_{_FORBIDDEN.sub('_', obj.name)}_{obj.session_uid}", False
+    return Path(bpy.app.tempdir) / f"superhelix_hair_{obj.session_uid}", False
 
 
 def simulated(scene: bpy.types.Scene, role: Role = Role.GUIDES) -> list[bpy.types.Object]:
@@ -231,8 +228,8 @@ def show_grown(obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.typ
         if grown is None or not grown.belongs_to(source.around):
             if grown is not None:
                 grown.close()
-            grown = _GROWN[obj.session_uid] = Grown(obj, source.around, scene)
-        grown.show(obj, source.around, scene, depsgraph)
+            grown = _GROWN[obj.session_uid] = Grown(obj, guides, source.around)
+        grown.show(obj, guides, scene, depsgraph)
         here.state, here.message = State.READY, ""
     except (ValueError, TypeError, LookupError, OSError, RuntimeError, MemoryError, shx.SuperhelixError) as error:
         here.fail(error)

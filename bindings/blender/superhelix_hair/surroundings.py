@@ -85,11 +85,20 @@ def deforms(obj: bpy.types.Object) -> bool:
     return obj.data.shape_keys is not None or any(modifier.show_viewport and modifier.type not in _KEEP_SHAPE for modifier in obj.modifiers)
 
 
+def _collider_objects(obj: bpy.types.Object) -> list[bpy.types.Object]:
+    """The colliders of curves, each once, by name, so that their order does not depend on a collection's."""
+    chosen, surface = obj.superhelix, obj.data.surface
+    found = {body.name_full: body for body in (chosen.colliders.all_objects if chosen.colliders is not None else ()) if body.type == "MESH"}
+    if chosen.use_surface and surface is not None:
+        found[surface.name_full] = surface
+    return [found[name] for name in sorted(found)]
+
+
 class Surroundings:
     """Reads the inputs of frames for one object of curves."""
 
     def __init__(self, obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-        self.obj, self.scene = obj, scene
+        # Blender replaces objects when it undoes: none is kept, and their names find them.
         self.warnings: list[str] = []
         curves = obj.data
         if len(curves.points) == 0:
@@ -105,27 +114,28 @@ class Surroundings:
         points = transformed(matrix, memory.drawn(curves))
         counts = memory.point_counts(curves)
         if curves.surface is not None:
-            points = self._attach(points, counts, depsgraph)
-        self.objects = self._collider_objects()
+            points = self._attach(obj, scene, points, counts, depsgraph)
         self._stretches: dict[str, Numbers] = {}
-        self.colliders = [self._collider(body, depsgraph) for body in self.objects]
-        self.rest = Rest(points, counts, self.colliders, self.inputs(depsgraph))
+        self.colliders = [self._collider(body, scene, depsgraph) for body in _collider_objects(obj)]
+        self.rest = Rest(points, counts, self.colliders, self.inputs(obj, scene, depsgraph))
         length = self.rest.median_length()
         if not 0.005 <= length <= 1.2:
             self.warnings.append(
                 f"the median curve is {length:.3g} m long, and hair is 0.005 to 1.2 m: set Unit Scale (Scene Properties > Units), so that the head has its size"
             )
 
-    def _attach(self, points: Numbers, counts: npt.NDArray[np.uint32], depsgraph: bpy.types.Depsgraph) -> Numbers:
+    def _attach(
+        self, obj: bpy.types.Object, scene: bpy.types.Scene, points: Numbers, counts: npt.NDArray[np.uint32], depsgraph: bpy.types.Depsgraph
+    ) -> Numbers:
         """Puts the roots on the surface; returns the points as the surface of this frame carries them."""
-        curves, surface = self.obj.data, self.obj.data.surface
+        curves, surface = obj.data, obj.data.surface
         if surface.type != "MESH":
             raise ValueError(f"surface {surface.name}: a {surface.type}; a mesh expected")
         uv_map = curves.surface_uv_map
         now = evaluated_mesh(surface, depsgraph, uv_map)
         if len(now.triangles) == 0:
             raise ValueError(f"surface {surface.name}: a mesh without faces")
-        matrix = world_matrix(surface, depsgraph, self.scene)
+        matrix = world_matrix(surface, depsgraph, scene)
         vertices = transformed(matrix, now.vertices)
         self.surface_at_start = vertices, now.triangles
         drawn_on = vertices if now.rest is None else transformed(matrix, now.rest)
@@ -137,7 +147,7 @@ class Surroundings:
             try:
                 self._attachment = Attachment.by_uvs(surface.name, drawn_on, now.triangles, now.uvs, uvs.reshape(-1, 2).astype(np.float64))
             except shx.InvalidArgumentError as error:
-                raise ValueError(f"curves {self.obj.name}: {error}; Curves > Snap to Nearest Surface attaches them again") from None
+                raise ValueError(f"curves {obj.name}: {error}; Curves > Snap to Nearest Surface attaches them again") from None
         else:
             # Without texture coordinates: the nearest triangles.
             tree = BVHTree.FromPolygons(drawn_on.tolist(), now.triangles.tolist(), all_triangles=True)
@@ -158,20 +168,11 @@ class Surroundings:
         local = relative(before[owners], shx.frames.frames(points))
         return shx.frames.moved(after[owners], local)[:, :3]
 
-    def _collider_objects(self) -> list[bpy.types.Object]:
-        """The colliders, each once, by name, so that their order does not depend on a collection's."""
-        chosen = self.obj.superhelix
-        found = {body.name_full: body for body in (chosen.colliders.all_objects if chosen.colliders is not None else ()) if body.type == "MESH"}
-        surface = self.obj.data.surface
-        if chosen.use_surface and surface is not None:
-            found[surface.name_full] = surface
-        return [found[name] for name in sorted(found)]
-
-    def _collider(self, body: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Collider:
+    def _collider(self, body: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> Collider:
         options = body.superhelix_collider
         motion = Motion(options.motion) if options.motion != "AUTO" else Motion.DEFORMING if deforms(body) else Motion.RIGID
         now = evaluated_mesh(body, depsgraph)
-        matrix = world_matrix(body, depsgraph, self.scene)
+        matrix = world_matrix(body, depsgraph, scene)
         sides = None if options.sides == "AUTO" else shx.Sides[options.sides]
         triangles = now.triangles
         if motion is Motion.RIGID:
@@ -182,28 +183,31 @@ class Surroundings:
             if np.linalg.det(matrix[:3, :3]) < 0.0:
                 triangles = np.ascontiguousarray(triangles[:, ::-1])
         cell, thickness = 1e-3 * exact(options.cell), 1e-3 * exact(options.thickness)
-        return Collider(body.name, motion, vertices, triangles, sides, cell, thickness, exact(options.friction))
+        return Collider(body.name_full, motion, vertices, triangles, sides, cell, thickness, exact(options.friction))
 
-    def inputs(self, depsgraph: bpy.types.Depsgraph) -> FrameInputs:
+    def inputs(self, obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> FrameInputs:
         """What moves hair, as it is now."""
-        matrix = world_matrix(self.obj, depsgraph, self.scene)
+        matrix = world_matrix(obj, depsgraph, scene)
         if abs(np.linalg.det(matrix[:3, :3])) < 1e-30:
-            raise ValueError(f"curves {self.obj.name}: scaled to nothing")
+            raise ValueError(f"curves {obj.name}: scaled to nothing")
         if self._attachment is not None:
-            surface = self.obj.data.surface
+            surface = obj.data.surface
             if surface is None:
-                raise ValueError(f"curves {self.obj.name}: the surface is gone; reset the simulation")
+                raise ValueError(f"curves {obj.name}: the surface is gone; reset the simulation")
             now = evaluated_mesh(surface, depsgraph, topology=False)
-            carriers = self._attachment.frames(transformed(world_matrix(surface, depsgraph, self.scene), now.vertices), len(now.triangles))
+            carriers = self._attachment.frames(transformed(world_matrix(surface, depsgraph, scene), now.vertices), len(now.triangles))
         else:
-            frame, stretch = self._polar(f"curves {self.obj.name}", matrix)
-            self._check_stretch(f"curves {self.obj.name}", stretch, self._stretch)
+            frame, stretch = self._polar(f"curves {obj.name}", matrix)
+            self._check_stretch(f"curves {obj.name}", stretch, self._stretch)
             carriers = np.tile(frame, (self._count, 1))
-        bodies = [self._body(collider, body, depsgraph) for collider, body in zip(self.colliders, self.objects, strict=True)]
-        return FrameInputs(carriers, bodies, np.linalg.inv(matrix), tuple(self.obj.superhelix.wind))
+        objects = _collider_objects(obj)
+        if [body.name_full for body in objects] != [collider.name for collider in self.colliders]:
+            raise ValueError(f"colliders of {obj.name}: others than at the first frame; go there to start with them")
+        bodies = [self._body(collider, body, scene, depsgraph) for collider, body in zip(self.colliders, objects, strict=True)]
+        return FrameInputs(carriers, bodies, np.linalg.inv(matrix), tuple(obj.superhelix.wind))
 
-    def _body(self, collider: Collider, body: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Numbers:
-        matrix = world_matrix(body, depsgraph, self.scene)
+    def _body(self, collider: Collider, body: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> Numbers:
+        matrix = world_matrix(body, depsgraph, scene)
         if collider.motion is Motion.DEFORMING:
             return transformed(matrix, evaluated_mesh(body, depsgraph, topology=False).vertices)
         frame, stretch = self._polar(f"collider {body.name}", matrix)

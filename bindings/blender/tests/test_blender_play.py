@@ -274,6 +274,43 @@ def test_centimetres(straight: list[np.ndarray]) -> None:
     assert any("Unit Scale" in warning for warning in check(hair).warnings)
 
 
+def test_rendering_an_animation_simulates(straight: list[np.ndarray], tmp_path: Path) -> None:
+    """Frames of a render are those of playing, and pictures show them."""
+    _, hair = walking()
+    scene = bpy.context.scene
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.location, camera.rotation_euler = (0.0, -1.2, 0.35), (np.pi / 2, 0.0, 0.0)
+    scene.collection.objects.link(camera)
+    scene.camera, scene.frame_end = camera, 8
+    scene.render.engine, scene.cycles.samples, scene.cycles.device = "CYCLES", 1, "CPU"
+    scene.render.resolution_x = scene.render.resolution_y = 48
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.filepath = str(tmp_path / "f")
+    bpy.ops.render.render(animation=True)
+    assert check(hair).session.last == 8
+    for frame in range(1, 9):
+        assert np.array_equal(go(frame), straight[frame - 1])
+    assert len({path.read_bytes() for path in tmp_path.glob("f*.png")}) == 8
+
+
+def test_undo_is_no_edit(straight: list[np.ndarray]) -> None:
+    """Undo puts older curves and other objects in Blender's memory; the simulation goes on."""
+    _, hair = walking()
+    for frame in range(1, 6):
+        go(frame)
+    bpy.ops.ed.undo_push(message="five")
+    bpy.data.objects["carrier"].empty_display_size = 2.0
+    for frame in range(6, 9):
+        go(frame)
+    bpy.ops.ed.undo_push(message="eight")
+    bpy.ops.ed.undo()
+    assert bpy.data.objects["carrier"].empty_display_size == 1.0
+    hair = bpy.data.objects["hair"]
+    for frame in (7, 8, 9, 10):
+        assert np.array_equal(go(frame), straight[frame - 1])
+    check(hair)
+
+
 def test_bounds_follow() -> None:
     """What Blender keeps about positions is not that of an older frame."""
     carrier, _, hair = scenes.head_scene(every=8, frames=20)
