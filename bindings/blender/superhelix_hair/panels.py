@@ -167,7 +167,7 @@ class SUPERHELIX_PT_collider(_Physics, bpy.types.Panel):
         """Draws it."""
         self.layout.use_property_split = True
         options = context.object.superhelix_collider
-        for name in ("motion", "sides", "cell", "thickness", "friction"):
+        for name in ("motion", "sides", "depth", "cell", "thickness", "friction"):
             self.layout.prop(options, name)
 
 

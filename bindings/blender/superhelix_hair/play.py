@@ -172,7 +172,7 @@ def _between(frames: store.FrameStore, moment: float) -> memory.Positions | None
     after = frames.read(frame + 1) if fraction > 0.0 else None
     if before is None or after is None:
         return before
-    return (before + fraction * (after - before)).astype(np.float32)
+    return np.asarray(before + fraction * (after - before), dtype=np.float32)
 
 
 _PLAYBACKS: dict[int, Playback] = {}

@@ -56,6 +56,9 @@ class ColliderOptions(bpy.types.PropertyGroup):
         name="Cell (mm)", default=0.0, min=0.0, max=1000.0, description="Cells of a rigid object's distance grid, mm. 0: 5 mm, or a 128th of a large object"
     )
     thickness: FloatProperty(name="Thickness (mm)", default=0.0, min=0.0, max=1000.0, description="Distance of the surface outside the mesh, mm")
+    depth: FloatProperty(
+        name="Depth (mm)", default=20.0, min=0.1, max=1000.0, description="Of sides in front: how far behind the faces hair is still pushed out, mm"
+    )
     friction: FloatProperty(name="Friction", default=1.0, min=0.0, max=100.0, description="Factor on the friction of hair")
 
 

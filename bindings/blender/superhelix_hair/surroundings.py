@@ -182,8 +182,8 @@ class Surroundings:
             vertices = transformed(matrix, now.vertices)
             if np.linalg.det(matrix[:3, :3]) < 0.0:
                 triangles = np.ascontiguousarray(triangles[:, ::-1])
-        cell, thickness = 1e-3 * exact(options.cell), 1e-3 * exact(options.thickness)
-        return Collider(body.name_full, motion, vertices, triangles, sides, cell, thickness, exact(options.friction))
+        lengths = {name: 1e-3 * exact(getattr(options, name)) for name in ("cell", "thickness", "depth")}
+        return Collider(body.name_full, motion, vertices, triangles, sides, friction=exact(options.friction), **lengths)
 
     def inputs(self, obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> FrameInputs:
         """What moves hair, as it is now."""
@@ -204,7 +204,7 @@ class Surroundings:
         if [body.name_full for body in objects] != [collider.name for collider in self.colliders]:
             raise ValueError(f"colliders of {obj.name}: others than at the first frame; go there to start with them")
         bodies = [self._body(collider, body, scene, depsgraph) for collider, body in zip(self.colliders, objects, strict=True)]
-        return FrameInputs(carriers, bodies, np.linalg.inv(matrix), tuple(obj.superhelix.wind))
+        return FrameInputs(carriers, bodies, np.asarray(np.linalg.inv(matrix), dtype=np.float64), tuple(obj.superhelix.wind))
 
     def _body(self, collider: Collider, body: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> Numbers:
         matrix = world_matrix(body, depsgraph, scene)

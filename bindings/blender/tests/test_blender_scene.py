@@ -274,6 +274,23 @@ def test_a_deforming_collider() -> None:
     assert np.abs(shown[:, 2]).max() < 1e-4
 
 
+def test_a_head_that_may_deform() -> None:
+    """The open bust as a mesh whose vertices move: hair goes where it goes on the rigid one, nearly."""
+    rows = []
+    for deforming in (False, True):
+        carrier, bust, hair = scenes.head_scene(every=8, frames=12)
+        scenes.walk(carrier, 12)
+        if deforming:
+            bust.shape_key_add(name="Basis")
+        bpy.ops.superhelix.setup()
+        for frame in range(1, 13):
+            shown = go(frame)
+        assert check(hair).around.colliders[0].motion.value == ("DEFORMING" if deforming else "RIGID")
+        rows.append(shown)
+    apart = np.linalg.norm(rows[0] - rows[1], axis=1)
+    assert np.median(apart) < 3e-4 and apart.max() < 0.02
+
+
 def test_a_rigid_collider_is_stretched_by_its_scale() -> None:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene

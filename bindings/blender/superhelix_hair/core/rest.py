@@ -57,6 +57,8 @@ class Collider:
     #: Of a rigid mesh: size of the distance grid's cells, m; 0: 5 mm, or a 128th of a large mesh.
     cell: float = 0.0
     thickness: float = 0.0
+    #: How far behind its faces a deforming mesh that acts in front of them pushes hair out, m.
+    depth: float = 0.02
     friction: float = 1.0
 
     def definition(self, pose: Numbers) -> shx.BodyDef:
@@ -70,7 +72,8 @@ class Collider:
             frame = shx.Frame(origin=pose[:3].tolist(), rotation=pose[3:].tolist())
             return shx.BodyDef.grid(grid, pose=frame, **surface)
         sides = self.sides if self.sides is not None else shx.Sides.SOLID if is_closed(self.triangles) else shx.Sides.FRONT
-        return shx.BodyDef.mesh(self.vertices, self.triangles, sides=sides, **surface)
+        depth = self.depth if sides is shx.Sides.FRONT else None
+        return shx.BodyDef.mesh(self.vertices, self.triangles, sides=sides, depth=depth, **surface)
 
 
 @dataclass
@@ -115,7 +118,7 @@ class Rest:
             total.update(np.ascontiguousarray(array).tobytes())
         for body in self.colliders:
             total.update(np.ascontiguousarray(body.vertices).tobytes() + np.ascontiguousarray(body.triangles).tobytes())
-            total.update(f"{body.name}|{body.motion}|{body.sides}|{body.cell}|{body.thickness}|{body.friction}".encode())
+            total.update(f"{body.name}|{body.motion}|{body.sides}|{body.cell}|{body.thickness}|{body.depth}|{body.friction}".encode())
         return total.hexdigest()
 
     def median_length(self) -> float:
