@@ -14,7 +14,7 @@ import pytest
 import scenes
 import superhelix as shx
 
-from superhelix_hair import memory, play
+from superhelix_hair import memory, operators, play
 from superhelix_hair.core.space import polar, relative, transformed
 from superhelix_hair.play import State
 
@@ -228,6 +228,44 @@ def test_cancel_a_bake(straight: list[np.ndarray]) -> None:
     assert bpy.ops.superhelix.bake() == {"FINISHED"}
     for frame in (last, last + 1, FRAMES):
         assert np.array_equal(go(frame), straight[frame - 1])
+
+
+def test_bake_in_a_window(straight: list[np.ndarray]) -> None:
+    """The modal operator, a frame at a tick: Escape cancels, other events pass, a second one goes on. Blender has no window here: a stub stands for it."""
+    _, hair = walking()
+    bpy.context.scene.frame_end = 12
+    go(1)
+    reports: list[tuple[set[str], str]] = []
+    calls: list[str] = []
+
+    class Manager:
+        def __getattr__(self, name: str):
+            return lambda *args, **kwargs: calls.append(name)
+
+    class Context:
+        scene, object, window, window_manager = bpy.context.scene, hair, object(), Manager()
+
+    class Event:
+        def __init__(self, kind: str) -> None:
+            self.type = kind
+
+    bake = operators.SUPERHELIX_OT_bake
+    functions = {name: item for base in reversed(bake.__mro__) for name, item in vars(base).items() if callable(item) and not name.startswith("__")}
+    functions["report"] = lambda self, kind, text: reports.append((kind, text))
+    one = type("Bake", (), functions)()
+    assert one.invoke(Context, Event("LEFTMOUSE")) == {"RUNNING_MODAL"}
+    for _ in range(3):
+        assert one.modal(Context, Event("TIMER")) == {"RUNNING_MODAL"}
+    assert one.modal(Context, Event("MOUSEMOVE")) == {"PASS_THROUGH"}
+    assert check(hair).session.last == 4
+    assert one.modal(Context, Event("ESC")) == {"CANCELLED"}
+    assert reports == [({"WARNING"}, "Cancelled after frame 4; Bake continues from there")]
+    assert calls.count("event_timer_add") == calls.count("event_timer_remove") == 1
+    two = type("Bake", (), functions)()
+    assert two.invoke(Context, Event("LEFTMOUSE")) == {"RUNNING_MODAL"}
+    results = [two.modal(Context, Event("TIMER")) for _ in range(9)]
+    assert results == [{"RUNNING_MODAL"}] * 8 + [{"FINISHED"}]
+    assert all(np.array_equal(go(frame), straight[frame - 1]) for frame in range(1, 13))
 
 
 def test_cancel_while_playing(straight: list[np.ndarray]) -> None:
