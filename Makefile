@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python cpp csharp abi abi-baseline rust-api package wasm platforms demo soak bench contact pictures fit haptics \
+.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python test-blender blender cpp csharp abi abi-baseline rust-api package wasm platforms demo soak bench contact pictures fit haptics \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -47,6 +47,7 @@ test: ## everything: format, lints, documentation, tests in Rust, C and of all b
 	scripts/package.sh
 	cargo test --locked --all-features
 	scripts/test_python.sh
+	scripts/test_blender.sh core
 	scripts/test_cpp.sh
 	scripts/test_csharp.sh
 	scripts/test_docs.sh
@@ -72,6 +73,14 @@ csharp: ## the tests of the C# binding alone, under mono: arrays, spans, the Uni
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python
 	scripts/test_python.sh
+
+test-blender: ## the Blender extension in Blender as a Python module, which pip installs (1 GB, once): a real groom, bakes, errors, the .zip installed (two minutes)
+	@scripts/setup.sh test python
+	scripts/test_blender.sh
+
+blender: ## the Blender extension as a .zip for this platform: out/blender/
+	@scripts/setup.sh build python
+	python3 bindings/blender/pack.py
 
 abi: ## the binary interface against its baseline (docs/reference/abi.md)
 	@scripts/setup.sh abi
