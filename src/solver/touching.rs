@@ -99,6 +99,10 @@ pub(super) struct Touching {
     remembered: Vec<Remembered>,
     /// Seconds that searches took since somebody asked.
     seconds: f64,
+    /// Memory of [`Touching::missed`] and of [`Touching::add_missed`].
+    missed: Vec<Joint>,
+    left_deep: Vec<JointEnd>,
+    known_of: KnownOf,
 }
 
 impl Touching {
@@ -307,8 +311,10 @@ impl Touching {
 
     /// Of the touches found last, those that overlap where the strands are now and that no joint tells of. None where the meter has halted it:
     /// strands with touches have then still moved.
-    fn missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Option<Vec<Joint>> {
-        let (mut missed, mut left_deep, mut halted) = (Vec::new(), Vec::new(), false);
+    fn missed(&mut self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Option<Vec<Joint>> {
+        let (mut missed, mut left_deep, mut halted) =
+            (std::mem::take(&mut self.missed), std::mem::take(&mut self.left_deep), false);
+        missed.clear();
         for (index, (held, touch)) in self.found(strands).enumerate() {
             halted = scene.meter.is_halted_at(index);
             if halted {
@@ -334,9 +340,10 @@ impl Touching {
                 missed.push(joint);
             }
         }
-        for end in left_deep {
+        for end in left_deep.drain(..) {
             strands[end.held as usize].left_deep = true;
         }
+        self.left_deep = left_deep;
         if halted {
             let with_touches: Vec<u32> = self.found(strands).map(|(held, _)| held).collect();
             with_touches.iter().for_each(|held| strands[*held as usize].held.gone = f64::INFINITY);
@@ -346,14 +353,16 @@ impl Touching {
 
     /// Tells the strands, and their islands, that have touches which no joint holds, when there is to be no other search.
     /// False where the meter has halted it.
-    pub fn tell_missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) -> bool {
+    pub fn tell_missed(&mut self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) -> bool {
         let missed = self.missed(scene, strands, islands, h);
         for end in missed.iter().flatten().flat_map(Joint::ends) {
             let strand = &mut strands[end.held as usize];
             strand.overlooked = true;
             islands[strand.island as usize].ending.converged = false;
         }
-        missed.is_some()
+        let whole = missed.is_some();
+        self.missed = missed.unwrap_or_default();
+        whole
     }
 
     /// Adds what the last search found and no joint tells of to the islands' joints: true if there is any. All joints are then in `joints`,
@@ -372,6 +381,7 @@ impl Touching {
         };
         leave_wild_ones(&mut missed, strands, islands);
         if missed.is_empty() {
+            self.missed = missed;
             return false;
         }
         for held in strands.iter_mut() {
@@ -391,8 +401,9 @@ impl Touching {
         for island in islands.iter_mut() {
             joints.append(&mut island.joints);
         }
-        let mut known_of = KnownOf::new(strands.len());
-        for joint in missed {
+        let known_of = &mut self.known_of;
+        known_of.reset(strands.len());
+        for joint in missed.drain(..) {
             known_of.take_in(joints);
             let (mut give, mut nearest) = (Give::No, None);
             let known = known_of.strand(joint.first.held).map(|index| (index, &joints[index]));
@@ -419,6 +430,7 @@ impl Touching {
                 None => joints.push(joint),
             }
         }
+        self.missed = missed;
         true
     }
 
@@ -492,6 +504,7 @@ fn leave_wild_ones(missed: &mut Vec<Joint>, strands: &[HeldStrand], islands: &[I
 }
 
 /// Which joints strands are the first end of: the last first.
+#[derive(Debug, Default)]
 struct KnownOf {
     last: Vec<Option<usize>>,
     before: Vec<Option<usize>>,
@@ -499,8 +512,10 @@ struct KnownOf {
 
 impl KnownOf {
     /// Of that many strands, no joints yet.
-    fn new(strands: usize) -> Self {
-        Self { last: vec![None; strands], before: Vec::new() }
+    fn reset(&mut self, strands: usize) {
+        self.last.clear();
+        self.last.resize(strands, None);
+        self.before.clear();
     }
 
     /// Takes in what was added to a list of joints.

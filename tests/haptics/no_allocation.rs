@@ -105,11 +105,11 @@ fn direct_ticks_allocate_nothing() {
         for tick in 0..1400 {
             let (pose, velocity, spin) = motion(stroke, f64::from(tick) * TICK);
             let before = allocations_so_far();
-            let (_, state) = device.update(&pose, velocity, spin, TICK).unwrap();
+            device.update(&pose, velocity, spin, TICK).unwrap();
             tool.before_step(&mut solver, TICK).unwrap();
-            solver.step(TICK, 1).unwrap();
+            let report = solver.step(TICK, 1).unwrap();
             tool.after_step(&mut solver).unwrap();
-            pressed = pressed.max(state.pressing);
+            pressed = pressed.max(report.contact.touches);
             // (Going back the comb sweeps through all of the hair.)
             if tick > 2 {
                 *counted += allocations_so_far() - before;
