@@ -141,7 +141,7 @@ def test_scrubbing(straight: list[np.ndarray]) -> None:
 
 
 def test_simulate_again_from_here(straight: list[np.ndarray]) -> None:
-    _, hair = walking()
+    _, hair = walking(snapshot_every=1)
     for frame in range(1, 21):
         go(frame)
     go(12)
