@@ -114,7 +114,7 @@ class HairOptions(bpy.types.PropertyGroup):
         description="Frames are kept here, and are there when Blender starts again. Empty: a temporary folder, gone when Blender ends",
     )
     snapshot_every: IntProperty(
-        name="Snapshot Every", default=1, min=1, max=1000, description="Frames between states of the engine in the cache, from which a simulation continues"
+        name="Snapshot Every", default=10, min=1, max=1000, description="Frames between states of the engine in the cache, from which a simulation continues"
     )
     guides: PointerProperty(type=bpy.types.Object, name="Guides", description="The simulated curves that these follow")
     render_seed: IntProperty(name="Seed", default=0, min=0, description="Another seed gives other render hair")

@@ -14,7 +14,7 @@ import pytest
 import scenes
 import superhelix as shx
 
-from superhelix_hair import memory, operators, play
+from superhelix_hair import cache_operators, memory, play
 from superhelix_hair.core.space import polar, relative, transformed
 from superhelix_hair.play import State
 
@@ -141,7 +141,7 @@ def test_scrubbing(straight: list[np.ndarray]) -> None:
 
 
 def test_simulate_again_from_here(straight: list[np.ndarray]) -> None:
-    _, hair = walking()
+    _, hair = walking(snapshot_every=1)
     for frame in range(1, 21):
         go(frame)
     go(12)
@@ -249,7 +249,7 @@ def test_bake_in_a_window(straight: list[np.ndarray]) -> None:
         def __init__(self, kind: str) -> None:
             self.type = kind
 
-    bake = operators.SUPERHELIX_OT_bake
+    bake = cache_operators.SUPERHELIX_OT_bake
     functions = {name: item for base in reversed(bake.__mro__) for name, item in vars(base).items() if callable(item) and not name.startswith("__")}
     functions["report"] = lambda self, kind, text: reports.append((kind, text))
     one = type("Bake", (), functions)()

@@ -424,13 +424,13 @@ def test_render_hair() -> None:
 
 def test_every_option_says_what_it_is() -> None:
     """Panels and tooltips: each option has a description, and each panel draws only options and operators that exist."""
-    from superhelix_hair import operators, panels, properties
+    from superhelix_hair import cache_operators, operators, panels, properties
 
     for group in properties.CLASSES:
         for prop in group.bl_rna.properties:
             if prop.identifier in group.__annotations__ and prop.identifier != "role":
                 assert prop.description and not prop.description.endswith("."), prop.identifier
-    for operator in operators.CLASSES:
+    for operator in (*operators.CLASSES, *cache_operators.CLASSES):
         assert operator.__doc__ and hasattr(bpy.types, operator.__name__), operator
 
     class Layout:

@@ -22,7 +22,10 @@ class CancelledError(Exception):
 
 
 class Session:
-    """A rest, its solver and its frames. The first frame is the rest; a folder with frames of the same simulation is continued."""
+    """A rest, its solver and its frames. The first frame is the rest; a folder with frames of the same simulation is continued.
+
+    The last frame has a snapshot, and every snapshot_every-th from the first on.
+    """
 
     def __init__(
         self,
@@ -103,8 +106,8 @@ class Session:
             positions = self.rig.local_points(inputs)
             if not np.all(np.isfinite(positions)):
                 raise ValueError(f"frame {self.last + 1}: positions are not finite; is the curves' object scaled to nothing?")
-            due = (self.last + 1 - self.first) % self._every == 0
-            self.frame = self.store.append(positions, self._snapshot() if due else None)
+            kept = (self.last - self.first) % self._every == 0
+            self.frame = self.store.append(positions, self._snapshot(), keep_previous=kept)
         except BaseException:
             # Whatever stopped it, the next attempt starts from the last frame.
             self.frame = self.first - 1

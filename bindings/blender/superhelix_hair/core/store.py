@@ -94,17 +94,18 @@ class FrameStore:
         """The file of a frame."""
         return self.folder / f"{frame:06d}.{kind}"
 
-    def append(self, positions: Positions, snapshot: bytes | None) -> int:
-        """Writes the next frame, and returns its number. The snapshot goes first, so that a frame that is there has its own."""
+    def append(self, positions: Positions, snapshot: bytes, *, keep_previous: bool = True) -> int:
+        """Writes the next frame, and returns its number. The snapshot goes first, so that a frame that is there has its own. keep_previous: whether the
+        snapshot of the frame before stays.
+        """
         if positions.shape != (self.point_count, 3) or positions.dtype != np.float32:
             raise ValueError(f"positions: {positions.dtype} {positions.shape}; float32 ({self.point_count}, 3) expected")
         frame = self.last + 1
-        if snapshot is not None:
-            _write(self.path(frame, "snap"), snapshot)
-        else:
-            self.path(frame, "snap").unlink(missing_ok=True)
+        _write(self.path(frame, "snap"), snapshot)
         _write(self.path(frame), _encoded(positions))
         self.last = frame
+        if not keep_previous:
+            self.path(frame - 1, "snap").unlink(missing_ok=True)
         self._keep(frame, positions)
         return frame
 
