@@ -12,7 +12,8 @@ use crate::error::{Error, Result, check_not_negative};
 /// let mut solver = Solver::new(SolverOptions::default())?;
 /// let ids = solver.add_strands(&[StrandDef::straight(0.2, 5)])?;
 /// solver.set_contact(&ids, Some(&StrandContact::default()))?;
-/// assert!(solver.allow_overlaps(&ids)?.is_empty()); // it overlaps nothing
+/// let overlap = solver.allow_overlaps(&ids)?[0];
+/// assert_eq!((overlap.bodies, overlap.hair), (0.0, 0.0)); // it overlaps nothing
 /// let kept = solver.allowance(ids[0])?.cloned();
 /// solver.set_allowances(&ids, &[kept])?;
 /// # Ok::<(), superhelix::Error>(())

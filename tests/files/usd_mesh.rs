@@ -175,7 +175,7 @@ fn errors_name_their_prim() {
             "texCoord2f[] primvars:st = [(0, 0)] (interpolation = \"faceVarying\")",
             "/root/head: primvars:st has 1 entries; expected one per corner, 8",
         ),
-        ("texCoord2f[] primvars:st = [(0, 0)]\nint[] primvars:st:indices = [0, 3]", "/root/head: primvars:st:indices says 3"),
+        ("texCoord2f[] primvars:st = [(0, 0)]\nint[] primvars:st:indices = [0, 3]", "/root/head: primvars:st:indices has 3"),
         ("point3f[] points = [(0, 0, inf)]", "line 19"),
         ("int[] faceVertexCounts = []", "has no meshes: no Mesh with faces"),
     ] {

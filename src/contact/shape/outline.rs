@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::capsule::across;
 use super::{Kind, Mesh, Shape};
+use crate::math::trigonometry::sine_cosine;
 
 /// Segments of a circle.
 const SEGMENTS: usize = 24;
@@ -36,7 +37,7 @@ impl Shape {
 fn arc(centre: Vector3<f64>, axes: [Vector3<f64>; 2], of: f64, segment: &mut impl FnMut(Vector3<f64>, Vector3<f64>)) {
     let count = (of * SEGMENTS as f64) as usize;
     let at = |k: usize| {
-        let (sin, cos) = (TAU * k as f64 / SEGMENTS as f64).sin_cos();
+        let (sin, cos) = sine_cosine(TAU * k as f64 / SEGMENTS as f64);
         centre + axes[0] * cos + axes[1] * sin
     };
     (0..count).for_each(|k| segment(at(k), at(k + 1)));
