@@ -12,11 +12,11 @@ pub const GRAVITY: f64 = 9.81;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u32)]
 pub enum ContactModel {
-    /// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface (paper 000, section 5). The cheap
+    /// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface (Bertails et al. 2006, section 5). The cheap
     /// model: iterated to 2e-3 rad, one search for touches, and surfaces that sink into each other by their force over
     /// [`ContactOptions::stiffness`].
     Penalty = 1,
-    /// The same with document 004's spring, which begins softly (section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k (d − d_reg/2).
+    /// The same with a spring that begins softly (Bergbom 2007, section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k (d − d_reg/2).
     RegularisedPenalty = 2,
     /// Signorini's and Coulomb's laws: surfaces do not pass through each other (to [`ContactOptions::tolerance`] at the end of every step), and
     /// friction is Coulomb's, all touches as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
@@ -125,7 +125,7 @@ impl ContactOptions {
 }
 
 /// Friction of a surface that is rougher one way than the other, as hair is by its scales: `along` for what goes over it from root to tip,
-/// `against` from tip to root; between them by the cosine of the direction (paper 000, section 5).
+/// `against` from tip to root; between them by the cosine of the direction (Bertails et al. 2006, section 5).
 ///
 /// ```
 /// use superhelix::Friction;

@@ -1,5 +1,5 @@
 //! Friction coefficients that depend on the direction of sliding: the cuticle's scales point to the tip, so that what goes over a hair
-//! from root to tip meets less friction than what goes from tip to root (paper 000, section 2 and "Friction with another object").
+//! from root to tip meets less friction than what goes from tip to root (Bertails et al. 2006, section 2 and "Friction with another object").
 
 use std::fmt::Display;
 
@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use crate::error::{Error, Result, check_finite, check_not_negative};
 
 /// A coefficient over the directions d (unit) in which the first strand slides relative to its partner: `mean + lean·d`, so the smooth
-/// interpolation by the cosine of the direction that paper 000 gives. Coulomb: without unit; viscous: N·s/m.
+/// interpolation by the cosine of the direction of Bertails et al. (2006). Coulomb: without unit; viscous: N·s/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficient {
     /// The mean over opposite directions, zero or above.

@@ -10,7 +10,7 @@ use crate::error::{Result, check_not_negative, check_positive};
 pub enum Response {
     /// No depth at any force: 0 ≤ gap ⟂ F ≥ 0.
     Hard,
-    /// A spring and a damper, F = k d + c (d − d₀)/h, never below zero (paper 000's elastic response).
+    /// A spring and a damper, F = k d + c (d − d₀)/h, never below zero (the elastic response of Bertails et al. 2006).
     Penalty {
         /// k, N/m, above zero.
         stiffness: f64,
