@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use super::allowance::Allowance;
 use super::body::BodyAt;
-use super::shape::{Bounds, Sides};
+use super::shape::{Bounds, Separator, Sides};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::math::vector::Vec3;
@@ -200,15 +200,15 @@ impl FreePath<'_> {
     fn find_near(&self, roots: &[Frame; 2], body: &BodyAt, spare: f64, scratch: &mut Scratch) {
         let to = &roots[1];
         let (slope, needed) = (body.shape.distance_slope(), self.radius + body.thickness - spare);
-        let mut start = 0.0;
+        let (separator, mut start) = (body.shape.separator(), 0.0);
         scratch.near.clear();
         for (k, (state, displacement)) in scratch.elements[1].iter().zip(self.displacements(roots)).enumerate() {
             let length = state.length;
             if start + length > self.exempt {
                 let chord = [state.origin_left, state.origin_right()].map(|end| to.origin + Vector3::from(end));
                 // The shape knows either how far a whole chord is, or how far its middle is.
-                let (distance, enough) = match body.shape.separation(chord) {
-                    Some(plane) => (plane.distance, needed + state.off_chord() + displacement),
+                let (distance, enough) = match &separator {
+                    Some(separator) => (separator.of_segment(chord).distance, needed + state.off_chord() + displacement),
                     None => {
                         let enough = needed + slope * (0.5 * length + displacement);
                         (body.shape.distance(0.5 * (chord[0] + chord[1]), enough), enough)
@@ -228,10 +228,9 @@ impl FreePath<'_> {
         if exempt >= length {
             return true;
         }
-        if body.shape.knows_separations() {
-            self.is_clear_by_chords(body, element, exempt, spare, balls)
-        } else {
-            self.is_clear_by_balls(body, element, exempt, spare, balls)
+        match body.shape.separator() {
+            Some(separator) => self.is_clear_by_chords(body, &separator, element, exempt, spare, balls),
+            None => self.is_clear_by_balls(body, element, exempt, spare, balls),
         }
     }
 
@@ -243,7 +242,15 @@ impl FreePath<'_> {
 
     /// By chords of pieces: what moves straight from an arc to an arc stays as near to the chord that moves from chord to chord, and a plane
     /// between the shape and that chord in the middle of its motion bounds how near all of them come.
-    fn is_clear_by_chords(&self, body: &BodyAt, element: &Element, exempt: f64, spare: f64, chords: &mut u32) -> bool {
+    fn is_clear_by_chords(
+        &self,
+        body: &BodyAt,
+        separator: &Separator,
+        element: &Element,
+        exempt: f64,
+        spare: f64,
+        chords: &mut u32,
+    ) -> bool {
         let length = element.states[0].length;
         let mut pieces = [Chord::default(); MOST_PIECES];
         pieces[0] = Chord { along: [exempt, length], ways: [element.way(exempt), element.way(length)], time: [0.0, 1.0] };
@@ -259,7 +266,7 @@ impl FreePath<'_> {
             let off_chord = element.off_chord(to - from);
             let half_way = 0.5 * (ways[0][1] - ways[0][0]).norm_squared().max((ways[1][1] - ways[1][0]).norm_squared()).sqrt();
             let midway = ways.map(|[a, b]| 0.5 * (a + b));
-            let Some(plane) = body.shape.separation(midway) else { return false };
+            let plane = separator.of_segment(midway);
             if plane.distance_of(ways.into_iter().flatten()) >= needed + off_chord {
                 continue;
             }

@@ -2,6 +2,7 @@
 //!
 //! Files:
 //!
+//! - `disjoint_sets.rs`: Disjoint sets of indices that are joined one by one (union and find, with paths halved).
 //! - `entire.rs`: Stumpff's entire functions, from which a helix is made, exact through zero curvature.
 //! - `frame.rs`: A rigid pose: the position and orientation of a strand's root or of one of its cross-sections.
 //! - `lane.rs`: The number type of the kernels: one `f64`, or one number per strand, side by side in a vector register.
@@ -21,6 +22,7 @@
 //! - `way.rs`: The motion of a pose that a host sends from frame to frame: bodies and the targets of constraints.
 //! - `lanes/`: Packed numbers: one register of the machine's vector unit.
 
+pub(crate) mod disjoint_sets;
 pub mod entire;
 pub mod frame;
 pub mod lane;

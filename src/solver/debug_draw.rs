@@ -10,6 +10,7 @@ use super::report::StrandStatus;
 use super::sampling::Sampler;
 use super::strand::Strand;
 use crate::error::{Error, Result, check_not_negative, check_positive};
+use crate::math::disjoint_sets::DisjointSets;
 
 /// Most vertices of a batch; even, so that no line is split.
 pub const DEBUG_BATCH: usize = 1024;
@@ -291,14 +292,8 @@ impl Solver {
     /// The island of each strand, by its first strand; none for strands that nothing couples to another one. From the contacts of the last substep and
     /// the ties that there are.
     fn islands(&self) -> Vec<Option<u32>> {
-        let mut parents: Vec<u32> = (0..self.strands.len() as u32).collect();
-        fn root(parents: &mut [u32], mut index: u32) -> u32 {
-            while parents[index as usize] != index {
-                parents[index as usize] = parents[parents[index as usize] as usize];
-                index = parents[index as usize];
-            }
-            index
-        }
+        let mut sets = DisjointSets::default();
+        sets.reset(self.strands.len());
         let touching = self.contacts().iter().filter_map(|contact| match contact.partner {
             ContactPartner::Strand { strand, .. } => Some((contact.strand, strand)),
             ContactPartner::Body { .. } => None,
@@ -311,11 +306,9 @@ impl Solver {
                 continue;
             }
             (coupled[a], coupled[b]) = (true, true);
-            let (a, b) = (root(&mut parents, a as u32), root(&mut parents, b as u32));
-            // The smaller index stands for the island.
-            parents[a.max(b) as usize] = a.min(b);
+            sets.join(a as u32, b as u32);
         }
-        (0..parents.len()).map(|index| coupled[index].then(|| root(&mut parents, index as u32))).collect()
+        (0..coupled.len()).map(|index| coupled[index].then(|| sets.lowest(index as u32))).collect()
     }
 }
 

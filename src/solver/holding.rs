@@ -35,6 +35,7 @@ use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
 use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
+use crate::math::disjoint_sets::DisjointSets;
 use crate::math::lanes::InstructionSet;
 use crate::memory::recycled;
 use crate::meter::{Meter, Stopped};
@@ -76,7 +77,7 @@ pub(super) struct Holding {
     asked: Vec<bool>,
     pressed: Vec<u32>,
     joints: Vec<Joint>,
-    parents: Vec<u32>,
+    sets: DisjointSets,
     touching: Touching,
     contacts: Vec<Contact>,
     /// What the last substep took beside its iterations, s.
@@ -487,13 +488,10 @@ impl Holding {
 
     /// Ties the joints' strands into islands, which are to be solved `rough`ly at first where that is of use.
     fn tie(&mut self, rough: bool) {
-        self.parents.clear();
-        self.parents.extend(0..self.count as u32);
+        self.sets.reset(self.count);
         for joint in &self.joints {
             if let Some(second) = joint.second {
-                let (a, b) = (root(&mut self.parents, joint.first.held), root(&mut self.parents, second.held));
-                let (low, high) = (a.min(b), a.max(b));
-                self.parents[high as usize] = low;
+                self.sets.join(joint.first.held, second.held);
             }
         }
         for held in &mut self.strands[..self.count] {
@@ -502,7 +500,7 @@ impl Holding {
         }
         self.island_count = 0;
         for k in 0..self.count {
-            let lowest = root(&mut self.parents, k as u32) as usize;
+            let lowest = self.sets.lowest(k as u32) as usize;
             let island = if lowest == k {
                 self.island_count += 1;
                 self.islands.resize_with(self.islands.len().max(self.island_count), Island::default);
@@ -631,13 +629,4 @@ fn share_out(islands: &mut [Island], left: u64) {
     for island in islands.iter_mut().filter(|island| !island.done) {
         island.most_work = (left as f64 * (weight(island) / all)) as u64;
     }
-}
-
-/// The lowest strand of a strand's island so far.
-fn root(parents: &mut [u32], mut k: u32) -> u32 {
-    while parents[k as usize] != k {
-        parents[k as usize] = parents[parents[k as usize] as usize];
-        k = parents[k as usize];
-    }
-    k
 }

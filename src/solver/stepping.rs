@@ -333,9 +333,8 @@ impl Solver {
             scene_body.body.begin(h);
         }
         self.wake_near_bodies(h);
-        let looks_up = Instant::now();
+        let begins = Instant::now();
         self.look_up_wind(from, h);
-        let looked_up = looks_up.elapsed().as_secs_f64();
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -364,7 +363,6 @@ impl Solver {
             is_fast,
             is_part: false,
         };
-        let begins = Instant::now();
         let (are_near, tolerance) = (Holding::mark(&mut scene, h), scene.options.tolerance);
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
@@ -391,7 +389,7 @@ impl Solver {
         self.bodies_at_work = BodiesAtWork { at, ids, wrenches };
         // Strands are whatever is neither search nor contact: they step between the two.
         let Phases { search, contact, .. } = self.holding.take_phases();
-        Phases { search, contact, sampling: 0.0, strands: (taken - search - contact).max(0.0) + looked_up }
+        Phases { search, contact, sampling: 0.0, strands: (taken - search - contact).max(0.0) }
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {

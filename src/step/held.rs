@@ -44,10 +44,10 @@ pub struct Held {
     pub(super) now: Vec<ElementState<f64>>,
     pub(super) trial: Vec<ElementState<f64>>,
     /// The potential and its rounding at the present iterate.
-    pub(super) potential: (f64, f64),
+    pub(super) potential: Merit,
     /// The strand's elements as the iteration began, and the potential and its rounding there.
     pub(super) guess: Vec<ElementState<f64>>,
-    pub(super) guessed: (f64, f64),
+    pub(super) guessed: Merit,
     pub(super) damping: Damping,
     pub(super) before: Option<f64>,
     pub(super) stations: Vec<Station>,
@@ -85,9 +85,9 @@ impl Default for Held {
             origin: Vector3::zeros(),
             now: Vec::new(),
             trial: Vec::new(),
-            potential: (0.0, 0.0),
+            potential: Merit::default(),
             guess: Vec::new(),
-            guessed: (0.0, 0.0),
+            guessed: Merit::default(),
             damping: Damping::new(0.0),
             before: None,
             stations: Vec::new(),
@@ -124,12 +124,12 @@ impl Held {
     }
 
     /// Its step has begun: it is where the iteration starts from.
-    pub(super) fn begin(&mut self, potential: (f64, f64), usual_damping: f64) {
+    pub(super) fn begin(&mut self, potential: Merit, usual_damping: f64) {
         self.guess.clone_from(&self.now);
         (self.potential, self.guessed) = (potential, potential);
         self.damping = Damping::new(usual_damping);
         (self.before, self.gone, self.residual) = (None, f64::INFINITY, f64::INFINITY);
-        self.outcome = StrandOutcome { converged: false, quarantined: !potential.0.is_finite(), ..StrandOutcome::default() };
+        self.outcome = StrandOutcome { converged: false, quarantined: !potential.value.is_finite(), ..StrandOutcome::default() };
         self.stations.clear();
         self.loads.clear();
         self.slots.clear();
@@ -229,10 +229,9 @@ impl Held {
     }
 
     /// The Lagrangian of the present forces and springs, and its rounding, where the potential and elements are given.
-    pub(super) fn lagrangian(&self, potential: (f64, f64), elements: &[ElementState<f64>]) -> Merit {
+    pub(super) fn lagrangian(&self, potential: Merit, elements: &[ElementState<f64>]) -> Merit {
         let springs = if self.spring > 0.0 { &self.bonds[..] } else { &[] };
-        let (value, noise) = lagrangian(self, potential, elements, springs);
-        Merit { value, noise }
+        lagrangian(self, potential, elements, springs)
     }
 
     /// By how much the Lagrangian with the present forces is higher at the present iterate than where the iteration began, beyond what rounding may
@@ -240,7 +239,7 @@ impl Held {
     pub fn rise(&self) -> f64 {
         let now = lagrangian(self, self.potential, &self.now, &[]);
         let began = lagrangian(self, self.guessed, &self.guess, &[]);
-        (now.0 - began.0 - now.1 - began.1).max(0.0)
+        (now.value - began.value - now.noise - began.noise).max(0.0)
     }
 
     /// What is on trial is accepted.
@@ -295,10 +294,10 @@ fn usual_spring(inertia: f64, elements: &[ElementState<f64>], forces: &[Vec3<f64
 /// A potential and its rounding, less the forces' work, and with the energy of the springs on `bonds`.
 fn lagrangian(
     held: &Held,
-    (mut value, mut noise): (f64, f64),
+    Merit { mut value, mut noise }: Merit,
     elements: &[ElementState<f64>],
     bonds: &[Option<WorldBond>],
-) -> (f64, f64) {
+) -> Merit {
     for (index, (station, force)) in held.stations.iter().zip(&held.forces).enumerate() {
         let at = position(elements, station);
         value -= at.dot(*force);
@@ -309,5 +308,5 @@ fn lagrangian(
             noise += 8.0 * f64::EPSILON * held.spring * (at.norm_squared() * off.norm_squared()).sqrt();
         }
     }
-    (value, noise)
+    Merit { value, noise }
 }

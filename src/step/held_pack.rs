@@ -100,8 +100,7 @@ impl<T: Lane> HeldPack<T> {
         let rule = setting.rules.rule(self.rule);
         let axes = &axes[..self.freedoms.count()];
         let problem = Problem { root: &self.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
-        let potential = place_trial(&problem, iterate);
-        held.potential = (potential.0.lane(lane), potential.1.lane(lane));
+        held.potential = Merit::of_lane(place_trial(&problem, iterate), lane);
         lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
         held.accept();
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
@@ -189,7 +188,7 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
         stages::assemble_terms(pack.times.k, pack.offset, &rule.weights, loaded, &stages[0], iterate);
         stages::lead(pack.times.way, pack.freedoms, loaded, None, iterate);
         let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
-        let (value, noise) = choose_start(&problem, iterate);
+        let potential = choose_start(&problem, iterate);
         iterate.system.point_tension.clear();
         (iterate.system.exact, pack.exact) = (false, 0);
         pack.loads.clear();
@@ -198,7 +197,7 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
             lane_of_elements(&pack.start, lane, &mut held.start);
             lane_of_elements(&iterate.kinematics.elements, lane, &mut held.now);
             (held.start_origin, held.origin) = (members.state(lane).root.origin, roots[lane].origin);
-            held.begin((value.lane(lane), noise.lane(lane)), usual.lane(lane));
+            held.begin(Merit::of_lane(potential, lane), usual.lane(lane));
         }
     }
 }
@@ -270,7 +269,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
         let rule = setting.rules.rule(pack.rule);
         let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
         let (mut part, mut from, mut rotation) = ([0.0; MAX_LANES], [Merit::default(); MAX_LANES], [0.0; MAX_LANES]);
-        let mut potential = [(0.0, 0.0); MAX_LANES];
+        let mut potential = [Merit::default(); MAX_LANES];
         let mut moving = 0;
         for (lane, held) in running(strands) {
             held.outcome.iterations += 1;
@@ -288,8 +287,8 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
         let (pending, to) = search.run(iterate, &mut part, moving, |iterate, lane, at| {
             let Some(held) = &mut strands[lane] else { return at };
             lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
-            potential[lane] = (at.value, at.noise);
-            held.lagrangian(potential[lane], &held.trial)
+            potential[lane] = at;
+            held.lagrangian(at, &held.trial)
         });
         moving &= !pending;
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);

@@ -24,6 +24,14 @@ pub(super) struct Merit {
     pub noise: f64,
 }
 
+impl Merit {
+    /// That of a lane.
+    #[inline(always)]
+    pub fn of_lane<T: Lane>((value, noise): (T, T), lane: usize) -> Self {
+        Self { value: value.lane(lane), noise: noise.lane(lane) }
+    }
+}
+
 /// The lanes of a set, ascending.
 #[inline(always)]
 pub(super) fn lanes(set: u32) -> Lanes {
@@ -80,10 +88,10 @@ impl<T: Lane> LineSearch<'_, T> {
         let mut pending = running;
         for _ in 0..MAX_HALVINGS {
             // (Also if none runs: the trial state then equals the accepted one.)
-            let (value, noise) = place_trial_at(self.problem, it, part, running);
+            let potential = place_trial_at(self.problem, it, part, running);
             for lane in lanes(pending) {
                 let from = self.from[lane];
-                let trial = merit(it, lane, Merit { value: value.lane(lane), noise: noise.lane(lane) });
+                let trial = merit(it, lane, Merit::of_lane(potential, lane));
                 let falls = trial.value <= from.value - ARMIJO * part[lane] * self.descent.lane(lane) + from.noise;
                 if falls || self.trusted >> lane & 1 == 1 {
                     next[lane] = trial;

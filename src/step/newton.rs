@@ -83,7 +83,6 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     it.system.exact = options.exact_hessian && problem.tension_at_start;
     it.system.point_tension.clear();
     place_compensation(it);
-    let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
         potential: [Merit::default(); MAX_LANES],
@@ -95,7 +94,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     let mut running = active;
     for lane in lanes(active) {
         outcomes[lane] = StrandOutcome::default();
-        control.potential[lane] = Merit { value: value.lane(lane), noise: noise.lane(lane) };
+        control.potential[lane] = Merit::of_lane(start, lane);
         if !control.potential[lane].value.is_finite() {
             outcomes[lane].quarantined = true;
             running &= !(1 << lane);

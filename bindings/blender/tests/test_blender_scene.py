@@ -25,6 +25,14 @@ def lengths(hair: bpy.types.Object, points: np.ndarray) -> np.ndarray:
     return np.array([np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() for curve in np.split(points.astype(np.float64), ends)])
 
 
+def collide(hair: bpy.types.Object, body: bpy.types.Object) -> None:
+    """Makes a mesh the hair's only collider."""
+    group = bpy.data.collections.new("colliders")
+    bpy.context.scene.collection.children.link(group)
+    group.objects.link(body)
+    hair.superhelix.colliders = group
+
+
 def test_rests_as_drawn_with_no_option_set() -> None:
     _, hair = still_head()
     first = go(1)
@@ -253,10 +261,7 @@ def test_a_deforming_collider() -> None:
     swollen.keyframe_insert("value", frame=5)
     swollen.value = 1.0
     swollen.keyframe_insert("value", frame=30)
-    group = bpy.data.collections.new("colliders")
-    scene.collection.children.link(group)
-    group.objects.link(body)
-    hair.superhelix.colliders = group
+    collide(hair, body)
     bpy.context.view_layer.objects.active = hair
     bpy.ops.superhelix.setup()
     for frame in range(1, 41):
@@ -304,10 +309,7 @@ def test_a_rigid_collider_is_stretched_by_its_scale() -> None:
     for frame, height in ((5, -0.15), (30, -0.02)):
         body.location[2] = height
         body.keyframe_insert("location", frame=frame)
-    group = bpy.data.collections.new("colliders")
-    scene.collection.children.link(group)
-    group.objects.link(body)
-    hair.superhelix.colliders = group
+    collide(hair, body)
     bpy.context.view_layer.objects.active = hair
     bpy.ops.superhelix.setup()
     for frame in range(1, 41):

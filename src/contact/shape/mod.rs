@@ -57,6 +57,7 @@ pub use mesh::{Mesh, Sides};
 pub(in crate::contact) use mesh_patch::{Ball, Patch, Region, Tube};
 pub(crate) use parts::Parts;
 pub(crate) use planes::PlaneField;
+pub(in crate::contact) use separation::Separator;
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};

@@ -23,29 +23,44 @@ impl Separation {
     }
 }
 
-impl Shape {
-    /// Whether [`Shape::separation`] gives a plane.
-    pub(in crate::contact) fn knows_separations(&self) -> bool {
-        matches!(self.0, Kind::Sphere { .. } | Kind::Capsule { .. } | Kind::HalfSpace { .. })
-    }
+/// A shape that knows the planes between itself and segments in closed form.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::contact) enum Separator {
+    /// All points within a radius of a segment, which may be a point: spheres and capsules.
+    Round { axis: [Vector3<f64>; 2], radius: f64 },
+    /// Everything behind the plane through the origin with this unit normal.
+    Plane { normal: Vector3<f64> },
+}
 
-    /// The plane between the shape and a straight segment; `None` for shapes that do not know it in closed form.
-    pub(in crate::contact) fn separation(&self, segment: [Vector3<f64>; 2]) -> Option<Separation> {
-        let (axis, radius) = match &self.0 {
-            Kind::Sphere { radius } => ([Vector3::zeros(); 2], *radius),
-            Kind::Capsule { a, b, radius } => ([*a, *b], *radius),
-            Kind::HalfSpace { normal } => {
+impl Separator {
+    /// The plane between the shape and a straight segment.
+    pub fn of_segment(&self, segment: [Vector3<f64>; 2]) -> Separation {
+        match self {
+            Self::Plane { normal } => {
                 let distance = normal.dot(&segment[0]).min(normal.dot(&segment[1]));
-                return Some(Separation { normal: *normal, offset: 0.0, distance });
+                Separation { normal: *normal, offset: 0.0, distance }
             }
-            _ => return None,
-        };
-        let nearest = closest_of_segments([&axis[0], &axis[1]], [&segment[0], &segment[1]]);
-        let apart = segment[0].lerp(&segment[1], nearest.u) - axis[0].lerp(&axis[1], nearest.t);
-        // (Where a segment meets the axis any plane will do: it is inside.)
-        let normal = apart.try_normalize(f64::MIN_POSITIVE).unwrap_or_else(Vector3::x);
-        let offset = normal.dot(&axis[0]).max(normal.dot(&axis[1])) + radius;
-        Some(Separation { normal, offset, distance: nearest.distance - radius })
+            Self::Round { axis, radius } => {
+                let nearest = closest_of_segments([&axis[0], &axis[1]], [&segment[0], &segment[1]]);
+                let apart = segment[0].lerp(&segment[1], nearest.u) - axis[0].lerp(&axis[1], nearest.t);
+                // (If a segment meets the axis, any plane is valid: the segment is inside.)
+                let normal = apart.try_normalize(f64::MIN_POSITIVE).unwrap_or_else(Vector3::x);
+                let offset = normal.dot(&axis[0]).max(normal.dot(&axis[1])) + radius;
+                Separation { normal, offset, distance: nearest.distance - radius }
+            }
+        }
+    }
+}
+
+impl Shape {
+    /// What separates the shape from segments; `None` for shapes without a closed form.
+    pub(in crate::contact) fn separator(&self) -> Option<Separator> {
+        match &self.0 {
+            Kind::Sphere { radius } => Some(Separator::Round { axis: [Vector3::zeros(); 2], radius: *radius }),
+            Kind::Capsule { a, b, radius } => Some(Separator::Round { axis: [*a, *b], radius: *radius }),
+            Kind::HalfSpace { normal } => Some(Separator::Plane { normal: *normal }),
+            _ => None,
+        }
     }
 }
 
@@ -69,7 +84,7 @@ mod tests {
             let shapes = [Shape::new_sphere(0.4).unwrap(), capsule, Shape::new_half_space(point()).unwrap()];
             let segment = [point(), point()];
             for shape in shapes {
-                let plane = shape.separation(segment).unwrap();
+                let plane = shape.separator().unwrap().of_segment(segment);
                 let places = (0..=400).map(|k| segment[0].lerp(&segment[1], f64::from(k) / 400.0));
                 let nearest =
                     places.map(|place| shape.closest(place, f64::INFINITY).unwrap().distance).fold(f64::INFINITY, f64::min);

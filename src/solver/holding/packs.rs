@@ -50,37 +50,16 @@ impl Packs {
         self.count = 0;
     }
 
-    /// Writes the packs that some of `items` are in, whose places are a pack and a lane, into an empty list.
-    fn gather<'a, M>(
-        packs: &'a mut [AnyPack],
-        items: impl Iterator<Item = M>,
-        place: impl Fn(&M) -> (u32, u32),
-        mut work: Vec<Work<'a, M>>,
-    ) -> Vec<Work<'a, M>> {
-        work.extend(packs.iter_mut().map(|pack| Work { pack, members: [const { None }; MOST] }));
-        for item in items {
-            let (pack, lane) = place(&item);
-            work[pack as usize].members[lane as usize] = Some(item);
-        }
-        work.retain(|work| work.members.iter().any(Option::is_some));
-        work
-    }
-
     /// Works on the packs of held strands.
     fn with_held(&mut self, strands: &mut [HeldStrand], run: impl FnOnce(&mut [Work<'_, &mut HeldStrand>])) {
-        let list = recycled(std::mem::take(&mut self.held_work));
         let place = |held: &&mut HeldStrand| (held.pack, held.lane);
-        let mut work = Self::gather(&mut self.packs[..self.count], strands.iter_mut(), place, list);
-        run(&mut work);
-        self.held_work = recycled(work);
+        with_work(&mut self.packs[..self.count], &mut self.held_work, strands.iter_mut(), place, run);
     }
 
     /// Works on the packs of held strands and of what the scene has of them.
     pub fn with_pairs<'a>(&mut self, pairs: impl Iterator<Item = Pair<'a>>, run: impl FnOnce(&mut [Work<'_, Pair<'a>>])) {
-        let list = recycled(std::mem::take(&mut self.pair_work));
-        let mut work = Self::gather(&mut self.packs[..self.count], pairs, |(_, held)| (held.pack, held.lane), list);
-        run(&mut work);
-        self.pair_work = recycled(work);
+        let place = |(_, held): &Pair| (held.pack, held.lane);
+        with_work(&mut self.packs[..self.count], &mut self.pair_work, pairs, place, run);
     }
 
     /// Packs those of the held strands that are to begin, and begins their step of `h` seconds.
@@ -186,6 +165,25 @@ impl Packs {
     pub fn pack(&mut self, held: &HeldStrand) -> &mut AnyPack {
         &mut self.packs[held.pack as usize]
     }
+}
+
+/// Works on the packs that some of `items` are in, whose places are a pack and a lane, in a list that keeps its `memory`.
+fn with_work<'a, M, S>(
+    packs: &'a mut [AnyPack],
+    memory: &mut Vec<S>,
+    items: impl Iterator<Item = M>,
+    place: impl Fn(&M) -> (u32, u32),
+    run: impl FnOnce(&mut [Work<'a, M>]),
+) {
+    let mut work: Vec<Work<M>> = recycled(std::mem::take(memory));
+    work.extend(packs.iter_mut().map(|pack| Work { pack, members: [const { None }; MOST] }));
+    for item in items {
+        let (pack, lane) = place(&item);
+        work[pack as usize].members[lane as usize] = Some(item);
+    }
+    work.retain(|work| work.members.iter().any(Option::is_some));
+    run(&mut work);
+    *memory = recycled(work);
 }
 
 impl Work<'_, Pair<'_>> {
