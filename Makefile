@@ -41,6 +41,7 @@ deb: dist ## Debian packages of the release: out/dist/*.deb
 test: ## everything: format, lints, documentation, tests in Rust, C and of all bindings, examples (about 20 minutes on two cores, with nothing compiled)
 	@scripts/setup.sh test python csharp
 	cargo fmt --check
+	scripts/lint_python.sh
 	cargo clippy --locked --all-targets --all-features -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features
 	scripts/rust_api.sh

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the bindings' description and the Python binding: generated files, format, lints, types, tests, examples of the guide, the notebook,
-# and an installed wheel in a fresh venv. Environment:
+# Tests the bindings' description and the Python binding: generated files, lints, tests, examples of the guide, the notebook, and an
+# installed wheel in a fresh venv. Environment:
 #   SUPERHELIX_BINARY   a built `superhelix` for the tests of the farm; else that of `cargo test`
 #   SUPERHELIX_BUILD    as scripts/test_library.sh says
 set -euo pipefail
@@ -14,20 +14,12 @@ if [ -z "${SUPERHELIX_BINARY:-}" ]; then
 fi
 export SUPERHELIX_LIBRARY SUPERHELIX_BINARY
 
+scripts/lint_python.sh
 venv=build/python-venv
-[ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib mypy nbclient ipykernel pytest ruff
 python=$PWD/$venv/bin/python
 
 PYTHONPATH=bindings/python/src prints_as_c build/python "$python" bindings/python/examples/hello.py
 cd bindings/python
-"$python" -m ruff format --check --quiet ../../abi ../../scripts/docs ../api.py ../coverage.py ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
-"$python" -m ruff check --quiet ../../abi ../../scripts/docs ../api.py ../coverage.py .
-"$python" -m mypy
-for generator in ../cpp/generate.py ../csharp/generate.py ../csharp/pack.py; do
-  MYPYPATH=.. "$python" -m mypy "$generator"
-done
-MYPYPATH=../../scripts/docs "$python" -m mypy ../../scripts/docs/{links,folders,snippets,header}.py
 PYTHONPATH=$PWD/src "$python" -m pytest --all-functions
 
 # What a user does, with the library that is built already.

@@ -12,8 +12,8 @@ A line `<!-- run -->` directly before fenced code makes it run:
     sh      run by bash, the command `superhelix` in the path
 
 The code of a page runs in the page's order, in one scratch directory. `GROOMS` is the folder of the tests' grooms. Each page of the guide
-(docs/guide) must have at least one piece of code that runs, or say `<!-- run by SCRIPT -->` where its code needs a host program that a script brings along, and at
-most 1500 words. scripts/test_docs.sh calls this.
+(docs/guide) must have at least one piece of code that runs, or say `<!-- run by SCRIPT -->` where its code needs a host program that a
+script brings along, and at most 1500 words. scripts/test_docs.sh calls this.
 """
 
 from __future__ import annotations
