@@ -197,7 +197,8 @@ impl Search<'_, '_> {
         }
         let piece = self.place_nodes(&path, low, high);
         // The distance at places that are themselves farther than the limit tells where it falls.
-        let reach = self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * shape.distance_slope() * piece };
+        let reach =
+            self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * shape.distance_slope() * piece };
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
         let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
         let swept = travel > 0.5 * self.thickness + shape.thinness();

@@ -239,18 +239,13 @@ impl Taps {
         let base = (place as usize).min(last - 1);
         let u = place - base as f64;
         // Of the node before, the two around the place, and the one after.
-        let mut weights = [
+        let weights = [
             -0.5 * u * (1.0 - u) * (1.0 - u),
             1.0 + u * u * (1.5 * u - 2.5),
             u * (0.5 + u * (2.0 - 1.5 * u)),
             -0.5 * u * u * (1.0 - u),
         ];
-        let mut slopes = [
-            -0.5 * (1.0 - u) * (1.0 - 3.0 * u),
-            u * (4.5 * u - 5.0),
-            0.5 + u * (4.0 - 4.5 * u),
-            u * (1.5 * u - 1.0),
-        ];
+        let slopes = [-0.5 * (1.0 - u) * (1.0 - 3.0 * u), u * (4.5 * u - 5.0), 0.5 + u * (4.0 - 4.5 * u), u * (1.5 * u - 1.0)];
         if base > 0 && base + 2 <= last {
             return Some(Self { first: base - 1, weights, slopes });
         }
