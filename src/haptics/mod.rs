@@ -14,6 +14,7 @@
 //! - `local_model.rs`: The local model that the simulation hands over after a step: the contacts of the tool, and their response until the next step.
 //! - `options.rs`: Options of a haptic object.
 //! - `passivity.rs`: Passivity observer and controller (Hannaford and Ryu 2002): bounds the energy that the device gives to the hand.
+//! - `ring_combs.rs`: Ring combs in the hand: their teeth hold the strands that they run into, and the hand feels what these pull with.
 //! - `tool.rs`: The simulation's side: moves the tool's bodies with the device, and publishes their contacts after every step.
 //! - `touch_forces.rs`: The device's own contact solve: Signorini's and Coulomb's laws at the contacts of a local model, with the tool where the hand has it now.
 
@@ -25,6 +26,7 @@ mod geometry;
 mod local_model;
 pub mod options;
 pub mod passivity;
+mod ring_combs;
 pub mod tool;
 mod touch_forces;
 

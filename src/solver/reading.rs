@@ -59,6 +59,11 @@ impl Solver {
         Ok(self.strand("id", id)?.model.mass())
     }
 
+    /// See [`StrandModel::cantilever`](crate::rod::strand::StrandModel::cantilever).
+    pub(crate) fn cantilever(&self, id: StrandId) -> Result<[f64; 2]> {
+        Ok(self.strand("id", id)?.model.cantilever())
+    }
+
     /// The current pose of a strand's root.
     ///
     /// # Errors
