@@ -3,7 +3,7 @@
 use std::mem::{offset_of, size_of};
 use std::sync::Mutex;
 
-use super::buffers::{Place, frame_from, strand_ids};
+use super::buffers::{OutputValue, frame_from, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, in_use, shx_solver, write};
 use super::styling_tool::shx_tool_def;
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn shx_ring_comb_create(
         // SAFETY: the caller's structures, and room for one pointer.
         let (tool, frame, def, place) = unsafe {
             let def = if def.is_null() { shx_ring_comb_def::defaults() } else { read_versioned("def", def)? };
-            (read_versioned("tool", tool)?, frame_from("frame", frame)?, def, Place::new("out_comb", out_comb)?)
+            (read_versioned("tool", tool)?, frame_from("frame", frame)?, def, OutputValue::new("out_comb", out_comb)?)
         };
         if def.reserved0 != 0 {
             return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn shx_ring_comb_after_step(
     // SAFETY: the caller's handles and room for the report.
     unsafe {
         write("shx_ring_comb_after_step", solver, |core, _| {
-            let place = Place::new("out_report", out_report)?;
+            let place = OutputValue::new("out_report", out_report)?;
             place.write((&with(comb, |comb| comb.after_step(core))?).into());
             Ok(())
         })

@@ -7,8 +7,8 @@ use nalgebra::{Matrix3, Vector3};
 use super::shape::{Bounds, Mesh, Shape, Surface};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
+use crate::math::pose_motion::PoseMotion;
 use crate::math::rotation::rotation_vector;
-use crate::math::way::Way;
 
 /// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
 ///
@@ -59,7 +59,7 @@ impl BodyDef {
 pub struct Body {
     def: BodyDef,
     /// Where it is going; its pose is the one told in `def`.
-    pub(crate) way: Way,
+    pub(crate) way: PoseMotion,
     pub(crate) bending: Option<Box<Bending>>,
 }
 
@@ -82,7 +82,7 @@ impl Body {
         check_not_negative(|| "friction".into(), def.friction)?;
         check_not_negative(|| "viscous_friction".into(), def.viscous_friction)?;
         check_pose("pose", &def.pose)?;
-        Ok(Self { way: Way::at(def.pose), def, bending: None })
+        Ok(Self { way: PoseMotion::at(def.pose), def, bending: None })
     }
 
     /// What it is made of; the pose is the present one.
@@ -130,7 +130,7 @@ impl Body {
     pub fn place(&mut self, pose: Frame) -> Result<()> {
         check_pose("pose", &pose)?;
         self.def.pose = pose;
-        self.way = Way::at(pose);
+        self.way = PoseMotion::at(pose);
         Ok(())
     }
 

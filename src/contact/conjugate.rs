@@ -13,7 +13,7 @@ use super::parts::{levels, lowest_of};
 use super::system::{Displacements, Row, Stretch, System};
 use crate::math::lane::{Kernel, Lane};
 use crate::meter::Meter;
-use crate::workers::{Crew, Team};
+use crate::workers::{Team, WorkerSet};
 
 /// The iteration's memory.
 #[derive(Debug, Clone, Default)]
@@ -96,7 +96,7 @@ impl Conjugate {
         system: &mut System,
         forces: &mut [Vector3<f64>],
         sweeps: u32,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) {
         let System { rows, displacements, bonds, .. } = system;
@@ -145,7 +145,7 @@ impl Conjugate {
                 }
             }
         };
-        crew.together(parts.lowest(), &sweep, lead);
+        workers.together(parts.lowest(), &sweep, lead);
         self.square = last;
     }
 }

@@ -12,7 +12,7 @@ use super::law::Law;
 use super::patch::Patches;
 use super::system::System;
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +99,7 @@ pub struct GaussSeidel {
 impl GaussSeidel {
     /// Solves. `forces`: one a touch, where to start from, replaced by the solution.
     pub fn solve(&mut self, space: &ContactSpace, settings: &Settings, forces: &mut [Vector3<f64>]) -> Report {
-        self.solve_by(space, settings, forces, &Crew::<()>::serial(), &Meter::unlimited())
+        self.solve_by(space, settings, forces, &WorkerSet::<()>::serial(), &Meter::unlimited())
     }
 
     /// The same by a crew, who sweep the problem's parts side by side: the same bits. Where `meter` halts it, it is left unsolved.
@@ -108,7 +108,7 @@ impl GaussSeidel {
         space: &ContactSpace,
         settings: &Settings,
         forces: &mut [Vector3<f64>],
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) -> Report {
         self.system.prepare(space);
@@ -160,7 +160,7 @@ impl GaussSeidel {
             }
             if slow && report.residual < NEAR * report.size {
                 let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
-                report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, crew, meter);
+                report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, workers, meter);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
             }
@@ -169,7 +169,7 @@ impl GaussSeidel {
                 () if report.sweeps == 0 => FIRST_ROUND,
                 () => ROUND,
             };
-            self.conjugate.sweeps(space, system, &mut self.forces, round, crew, meter);
+            self.conjugate.sweeps(space, system, &mut self.forces, round, workers, meter);
             report.sweeps += round + 1;
             report.work += u64::from(round + 1) * sweep_work;
         }
@@ -306,11 +306,11 @@ mod tests {
             assert!(between.iter().any(|force| force.norm() > 1e-3 * report.force));
         }
         let others = [Workers::Pool(2), Workers::Pool(3), Workers::Pool(8), Workers::Host(Arc::new(Backwards))];
-        for workers in others {
-            let crew = Crew::<()>::new(&workers).unwrap();
+        for setting in others {
+            let workers = WorkerSet::<()>::new(&setting).unwrap();
             let mut forces = zeros.clone();
-            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &crew, &Meter::unlimited()), report);
-            assert_eq!(forces, alone, "{workers:?}");
+            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &workers, &Meter::unlimited()), report);
+            assert_eq!(forces, alone, "{setting:?}");
         }
     }
 }

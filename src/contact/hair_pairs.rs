@@ -28,7 +28,7 @@ use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
 use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// How far to look.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -162,20 +162,25 @@ impl HairPairs {
     /// # Errors
     /// [`Error::InvalidArgument`] for another number of strands than of wisps.
     pub fn update(&mut self, strands: &[StrandPath]) -> Result<bool> {
-        self.update_by(strands, &Crew::<()>::serial(), &Meter::unlimited())
+        self.update_by(strands, &WorkerSet::<()>::serial(), &Meter::unlimited())
     }
 
     /// [`HairPairs::update`], with others' help. Where `meter` halts it there are no pairs, and the next begins anew.
-    pub(crate) fn update_by<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>, meter: &Meter) -> Result<bool> {
+    pub(crate) fn update_by<S: Default + Send>(
+        &mut self,
+        strands: &[StrandPath],
+        workers: &WorkerSet<S>,
+        meter: &Meter,
+    ) -> Result<bool> {
         if strands.len() != self.wisps.len() {
             return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
         }
         self.counts.updates += 1;
         if self.valid {
             if self.begun {
-                self.place_start(strands, crew);
+                self.place_start(strands, workers);
             }
-            self.place(strands, crew);
+            self.place(strands, workers);
             self.valid = !self.now.outgrown;
             if self.valid && self.are_within() {
                 return Ok(false);
@@ -184,8 +189,8 @@ impl HairPairs {
         // Within a step the strands that have not left their room keep their candidates.
         if !(self.valid && self.found_this_step) {
             self.pieces.cut(&self.wisps, |strand| strands[strand].now);
-            self.place_start(strands, crew);
-            self.place(strands, crew);
+            self.place_start(strands, workers);
+            self.place(strands, workers);
             self.left.clear();
             self.left.resize(self.wisps.len(), true);
             self.candidates.clear();
@@ -193,7 +198,7 @@ impl HairPairs {
             self.found_at.resize(self.now.nodes.len(), Vector3::zeros());
             self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
         }
-        self.search(crew, meter);
+        self.search(workers, meter);
         let whole = !meter.is_halted();
         if !whole {
             self.groups.clear();
@@ -203,15 +208,15 @@ impl HairPairs {
     }
 
     /// Where everything was when the step began.
-    fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) {
-        self.pieces.place(&self.wisps, |strand| strands[strand].start, crew, &mut self.placing, &mut self.start);
+    fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].start, workers, &mut self.placing, &mut self.start);
         roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
         self.begun = false;
     }
 
     /// Where everything is.
-    fn place<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) {
-        self.pieces.place(&self.wisps, |strand| strands[strand].now, crew, &mut self.placing, &mut self.now);
+    fn place<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].now, workers, &mut self.placing, &mut self.now);
         for (now, then) in self.now.sagittas.iter_mut().zip(&self.start.sagittas) {
             *now = now.max(*then);
         }
@@ -243,7 +248,7 @@ impl HairPairs {
     }
 
     /// Finds the candidates of the strands that have left their room, in a new one; all others' stay.
-    fn search<S: Default + Send>(&mut self, crew: &Crew<S>, meter: &Meter) {
+    fn search<S: Default + Send>(&mut self, workers: &WorkerSet<S>, meter: &Meter) {
         let Self {
             wisps, pieces, boxes, candidates, grid, parts, found, merged, carried, left, found_at, found_sagittas, ..
         } = self;
@@ -289,7 +294,7 @@ impl HairPairs {
             part.found.clear();
         }
         let (grid, boxes) = (&*grid, &*boxes);
-        crew.for_each_task(parts, 1, 1, |parts, _| {
+        workers.for_each_task(parts, 1, 1, |parts, _| {
             for SearchPart { buckets, found } in parts {
                 if meter.is_halted() {
                     continue;

@@ -13,7 +13,7 @@ use super::joint::EndState;
 use super::options::StrandContact;
 use super::strand_body::{self, PathBounds, Span};
 use super::touch::{StrandCurve, StrandPath, Touch};
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::step::held::{Held, WorldBond};
@@ -41,7 +41,7 @@ pub struct Attachment {
     /// Whether it is the joint's second end, on which −force acts.
     pub second: bool,
     /// Where.
-    pub station: Station,
+    pub material_point: MaterialPoint,
     /// Whether the strand's linear model has it; those that it has not come last.
     pub modelled: bool,
 }
@@ -121,8 +121,8 @@ pub struct HeldStrand {
     /// where it is, and no force moves it: it is told, and is no touch.
     pub root_gap: f64,
     /// Where the attached points are, in the attachments' order, each with the station that it was found for.
-    places: Vec<(Station, EndState)>,
-    stations: Vec<Station>,
+    places: Vec<(MaterialPoint, EndState)>,
+    material_points: Vec<MaterialPoint>,
     forces: Vec<Vec3<f64>>,
     bonds: Vec<Option<WorldBond>>,
     bounds: PathBounds,
@@ -199,8 +199,8 @@ impl HeldStrand {
     }
 
     /// Arclength of a station from the root, m.
-    pub fn along(&self, station: &Station) -> f64 {
-        self.path().start.along(station.element, station.s)
+    pub fn along(&self, material_point: &MaterialPoint) -> f64 {
+        self.path().start.along(material_point.element, material_point.s)
     }
 
     /// Its length, m.
@@ -220,16 +220,16 @@ impl HeldStrand {
     }
 
     /// Where a station is.
-    pub fn end_state(&self, station: &Station) -> EndState {
-        self.end_now(station, Held::place(self.held.start(), station))
+    pub fn end_state(&self, material_point: &MaterialPoint) -> EndState {
+        self.end_now(material_point, Held::place(self.held.start(), material_point))
     }
 
     /// The same of one whose place at the step's start is known.
-    fn end_now(&self, station: &Station, start: Vector3<f64>) -> EndState {
+    fn end_now(&self, material_point: &MaterialPoint, start: Vector3<f64>) -> EndState {
         EndState {
             start,
-            now: Held::place(self.held.now(), station),
-            tangent: self.path().now.tangent(station.element, station.s),
+            now: Held::place(self.held.now(), material_point),
+            tangent: self.path().now.tangent(material_point.element, material_point.s),
         }
     }
 
@@ -245,7 +245,7 @@ impl HeldStrand {
 
     /// How far an attached point is moved by a force at it, m/N, in the linear model of the last iteration; zero of one that is not in it.
     pub(super) fn response(&self, point: u32) -> Matrix3<f64> {
-        let (point, points) = (point as usize, self.held.delassus.stations);
+        let (point, points) = (point as usize, self.held.delassus.material_points);
         if point >= points {
             return Matrix3::zeros();
         }
@@ -256,16 +256,16 @@ impl HeldStrand {
     fn find_places(&mut self, moved: bool) {
         self.places.truncate(self.attachments.len());
         for index in 0..self.attachments.len() {
-            let station = self.attachments[index].station;
+            let material_point = self.attachments[index].material_point;
             match self.places.get(index) {
-                Some((known, state)) if *known == station => {
+                Some((known, state)) if *known == material_point => {
                     if moved {
                         let start = state.start;
-                        self.places[index].1 = self.end_now(&station, start);
+                        self.places[index].1 = self.end_now(&material_point, start);
                     }
                 }
-                Some(_) => self.places[index] = (station, self.end_state(&station)),
-                None => self.places.push((station, self.end_state(&station))),
+                Some(_) => self.places[index] = (material_point, self.end_state(&material_point)),
+                None => self.places.push((material_point, self.end_state(&material_point))),
             }
         }
     }
@@ -276,11 +276,11 @@ impl HeldStrand {
         for attachment in &mut self.attachments {
             let joint = &island.joints[attachment.joint as usize];
             let end = if attachment.second { joint.second.unwrap_or(joint.first) } else { joint.first };
-            attachment.station = end.station;
+            attachment.material_point = end.material_point;
             attachment.modelled = if self.resting { attachment.modelled } else { !joint.dormant };
         }
         self.attachments.sort_by(|a, b| {
-            let key = |x: &Attachment| (!x.modelled, x.station.element, x.station.s);
+            let key = |x: &Attachment| (!x.modelled, x.material_point.element, x.material_point.s);
             key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then((a.joint, a.second).cmp(&(b.joint, b.second)))
         });
         self.modelled = self.attachments.partition_point(|attachment| attachment.modelled);
@@ -363,17 +363,17 @@ impl HeldStrand {
         if self.resting {
             return FirstHalf::None;
         }
-        self.stations.clear();
-        self.stations.extend(self.attachments[..self.modelled].iter().map(|attachment| attachment.station));
+        self.material_points.clear();
+        self.material_points.extend(self.attachments[..self.modelled].iter().map(|attachment| attachment.material_point));
         self.pull(island);
         self.bonds.clear();
         if island.bonded_to_world {
             self.bonds.extend(self.attachments[..self.modelled].iter().map(|end| {
                 let joint = &island.joints[end.joint as usize];
-                joint.world_bond(&Held::place(self.held.now(), &end.station))
+                joint.world_bond(&Held::place(self.held.now(), &end.material_point))
             }));
         }
-        self.held.hold(&self.stations, &self.forces, &self.bonds);
+        self.held.hold(&self.material_points, &self.forces, &self.bonds);
         FirstHalf::ToDo
     }
 

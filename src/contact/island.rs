@@ -15,7 +15,7 @@ use super::law::contact::Friction;
 use super::law::response::Response;
 use super::nearest::nearest;
 use super::options::{ContactModel, ContactOptions};
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 
 /// How nearly a bond must hold at the end of a step, m.
 const BOND_TOLERANCE: f64 = 1e-10;
@@ -239,12 +239,12 @@ impl Island {
             }
             match &mut joint.kind {
                 JointKind::Ring { target, .. } => {
-                    let Station { element, s, .. } = joint.first.station;
+                    let MaterialPoint { element, s, .. } = joint.first.material_point;
                     let (element, s) = nearest(&strand.path().now, element, s, *target);
-                    joint.first.station = Station::on(element, s);
+                    joint.first.material_point = MaterialPoint::on(element, s);
                 }
                 JointKind::Body { body, feature, normal, side, point, carried, .. } if self.iterations < LOOKS => {
-                    let (body, at) = (strand.met(bodies, *body), strand.end_state(&joint.first.station));
+                    let (body, at) = (strand.met(bodies, *body), strand.end_state(&joint.first.material_point));
                     if let Some(surface) = body.closest_at_end(at.now, LOOK) {
                         let new = body.to_world(&surface.normal);
                         // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the strand lies across.

@@ -11,7 +11,7 @@ use super::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use super::partition::Partition;
 use crate::error::Result;
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
 const FIRST: f64 = 1e-2;
@@ -44,7 +44,7 @@ impl Island {
         options: &ContactOptions,
         step: f64,
         scratch: &mut ProblemScratch,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) -> Result<()> {
         if meter.is_halted() {
@@ -64,7 +64,7 @@ impl Island {
                 continue;
             }
             let operator = &strands[self.strands[*local as usize] as usize].held.delassus;
-            space.add_strand(operator.stations).copy_from_slice(&operator.columns);
+            space.add_strand(operator.material_points).copy_from_slice(&operator.columns);
         }
         forces.clear();
         let lightest = self.strands.iter().map(|held| strands[*held as usize].mass).fold(f64::INFINITY, f64::min);
@@ -109,7 +109,7 @@ impl Island {
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
-        self.report = solver.solve_by(space, &settings, forces, crew, meter);
+        self.report = solver.solve_by(space, &settings, forces, workers, meter);
         self.sweeps += self.report.sweeps;
         meter.spend(self.report.work);
         if meter.is_halted() {

@@ -12,7 +12,7 @@ use super::law::contact::{Contact, Friction};
 use super::law::response::Response;
 use super::law::ring::Ring;
 use super::options::{self, ContactModel, ContactOptions, StrandContact};
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::math::vector::Mat3;
 use crate::step::held::WorldBond;
 
@@ -30,7 +30,7 @@ pub struct JointEnd {
     /// Index among the strands held in this step.
     pub held: u32,
     /// Where.
-    pub station: Station,
+    pub material_point: MaterialPoint,
 }
 
 /// Where an end is.
@@ -351,7 +351,7 @@ impl Joint {
     /// The axes that a pin holds. A lever that is held across a direction may lie against it too: one that is far off is drawn to its very
     /// end.
     fn pinned(&self, axes: BondAxes, off: &Vector3<f64>) -> BondAxes {
-        let lever = Vector3::from(self.first.station.lever).norm();
+        let lever = Vector3::from(self.first.material_point.lever).norm();
         match axes {
             BondAxes::Across(_) | BondAxes::Along(_) if lever > 0.0 && off.norm() > 0.5 * lever => BondAxes::All,
             axes => axes,

@@ -47,11 +47,11 @@ impl Island {
                     (normal, -joint.gap)
                 }
                 JointKind::Pin { target, .. } if joint.gap > OFF => {
-                    let off = target - strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                    let off = target - strands[joint.first.held as usize].end_state(&joint.first.material_point).now;
                     (off / off.norm().max(f64::MIN_POSITIVE), joint.gap)
                 }
                 JointKind::Tie { .. } if joint.gap > OFF => {
-                    let at = |end: &JointEnd| strands[end.held as usize].end_state(&end.station).now;
+                    let at = |end: &JointEnd| strands[end.held as usize].end_state(&end.material_point).now;
                     let off = joint.second.as_ref().map_or(Vector3::zeros(), |second| at(second) - at(&joint.first));
                     (off / off.norm().max(f64::MIN_POSITIVE), joint.gap)
                 }
@@ -66,8 +66,8 @@ impl Island {
                 let strand = &strands[end.held as usize];
                 // Only towards the root can it give way by bending.
                 let (root, _) = strand.held.now();
-                let from_root = strand.end_state(&end.station).now - root;
-                let length = strand.along(&end.station);
+                let from_root = strand.end_state(&end.material_point).now - root;
+                let length = strand.along(&end.material_point);
                 if way.dot(&from_root) < 0.0 && !kinks.iter().any(|kink| kink.held == end.held) {
                     // An arc of the angle θ is shorter than its length by θ²/24 of it.
                     let turn = (24.0 * far / length.max(f64::MIN_POSITIVE)).sqrt().min(MOST_TURN);

@@ -3,7 +3,6 @@
 //! Files:
 //!
 //! - `across_edge.rs`: A strand across an edge of a solid: the plane that holds it off.
-//! - `allowance.rs`: How far a strand may be in others and in bodies, place by place.
 //! - `block_newton.rs`: All touches of one block (a strand, or strands that bonds join) at once, those of other blocks as they are.
 //! - `body.rs`: Bodies: what strands are kept out of, where they are and how they move.
 //! - `body_sweep.rs`: Where an element of a strand runs into a body on its way through a step (`sweep.rs`, piece by piece).
@@ -34,6 +33,7 @@
 //! - `parts.rs`: The parts of a large problem, a binary tree.
 //! - `patch.rs`: Where sweeps over a large problem do not get on it is for a few touches that hang together closely.
 //! - `path_clearance.rs`: Whether a strand that has stepped freely stayed clear of a body all the way: a bound on the distance, place by place and time by time.
+//! - `permitted_overlap.rs`: How far a strand may be in others and in bodies, place by place.
 //! - `pieces.rs`: Strands cut into pieces that bend little, each known by its chord: what the search for pairs works on.
 //! - `pushing.rs`: Touches that give way are brought out after all, where there is a way.
 //! - `rank.rs`: Cholesky's factorisation of a positive semidefinite matrix with pivots by size: rows that depend on others are left out.
@@ -47,7 +47,6 @@
 //! - `shape/`: Shapes of bodies, in their own axes: where their surface is nearest to a point, how large they are.
 
 mod across_edge;
-pub mod allowance;
 mod block_newton;
 pub mod body;
 mod body_sweep;
@@ -78,6 +77,7 @@ mod partition;
 mod parts;
 mod patch;
 pub mod path_clearance;
+pub mod permitted_overlap;
 pub mod pieces;
 mod pushing;
 mod rank;

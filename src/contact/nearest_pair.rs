@@ -21,7 +21,7 @@ pub fn depth(joint: &Joint, strands: &[HeldStrand], tolerance: f64) -> f64 {
     let strands = ends.map(|end| &strands[end.held as usize]);
     let curves = strands.map(|strand| strand.path().now);
     let exempt = strands.map(|strand| strand.contact.exempt_length);
-    margin - nearest_distance(curves, exempt, ends.map(|end| (end.station.element, end.station.s)))
+    margin - nearest_distance(curves, exempt, ends.map(|end| (end.material_point.element, end.material_point.s)))
 }
 
 /// The least distance of two curves, beyond what is `exempt` at their roots (m), near two places of theirs (element, arclength in it, m).

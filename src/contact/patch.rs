@@ -9,7 +9,7 @@ use super::contact_space::ContactSpace;
 use super::gauss_seidel::Report;
 use super::system::System;
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// Most patches at a time, and most rows of one.
 const MOST: usize = 8;
@@ -51,7 +51,7 @@ impl Patches {
         forces: &mut [Vector3<f64>],
         report: &Report,
         goal: Goal,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) -> u64 {
         let tolerance = goal.tolerance;
@@ -67,7 +67,7 @@ impl Patches {
             let turn = first.turn;
             let (now, later) = rest.split_at_mut(rest.partition_point(|patch| patch.turn == turn));
             let (shared, all) = (&*system, &*forces);
-            crew.for_each_task(now, 1, 1, |patches, _| {
+            workers.for_each_task(now, 1, 1, |patches, _| {
                 for Patch { rows, newton, .. } in patches {
                     newton.solve(space, shared, all, rows, report, aim, meter);
                 }

@@ -5,8 +5,8 @@
 
 use nalgebra::Vector3;
 
-use super::allowance::Allowance;
 use super::body::BodyAt;
+use super::permitted_overlap::PermittedOverlap;
 use super::shape::{Bounds, Separator, Sides};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
@@ -33,7 +33,7 @@ pub struct FreePath<'a> {
     /// The strand's radius, m.
     pub radius: f64,
     /// How far it may be in bodies.
-    pub allowance: Option<&'a Allowance>,
+    pub permitted_overlap: Option<&'a PermittedOverlap>,
 }
 
 /// Lists that are used again from call to call.
@@ -118,7 +118,7 @@ pub fn can_tell(body: &BodyAt) -> bool {
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its allowance. False also where 256 balls do not decide
+    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also where 256 balls do not decide
     /// it, and beside a body for which distances cannot ([`can_tell`]).
     pub fn is_clear_of<'a>(&self, bodies: impl IntoIterator<Item = &'a BodyAt<'a>>, spare: f64, scratch: &mut Scratch) -> bool {
         let (mut around, length) = (None, self.lengths.iter().sum::<f64>());
@@ -153,7 +153,7 @@ impl FreePath<'_> {
         }
         // A sheet has no inside to be in: what goes through it is on its other side.
         let is_sheet = body.shape.mesh().is_some_and(|mesh| mesh.sides() == Sides::Both);
-        let (path, spare) = if is_sheet { (Self { allowance: None, ..*self }, 0.0) } else { (*self, spare) };
+        let (path, spare) = if is_sheet { (Self { permitted_overlap: None, ..*self }, 0.0) } else { (*self, spare) };
         path.stays_out(body, spare, scratch)
     }
 
@@ -236,7 +236,9 @@ impl FreePath<'_> {
 
     /// How near to a body's surface a piece of an element may be: within its own radius, as a rule.
     fn needed(&self, body: &BodyAt, element: &Element, [from, to]: [f64; 2], spare: f64) -> f64 {
-        let sunk = self.allowance.map_or(0.0, |allowance| allowance.least_sunk(element.start + from, element.start + to));
+        let sunk = self
+            .permitted_overlap
+            .map_or(0.0, |permitted_overlap| permitted_overlap.least_sunk(element.start + from, element.start + to));
         self.radius + body.thickness - spare - sunk
     }
 
@@ -350,10 +352,17 @@ mod tests {
     const RADIUS: f64 = 5e-5;
 
     /// Whether a straight strand along x that goes from place to place stays clear of a body that goes from pose to pose.
-    fn is_clear(shape: &Shape, way: [Vector3<f64>; 2], radius: f64, allowance: Option<&Allowance>, poses: [Frame; 2]) -> bool {
+    fn is_clear(
+        shape: &Shape,
+        way: [Vector3<f64>; 2],
+        radius: f64,
+        permitted_overlap: Option<&PermittedOverlap>,
+        poses: [Frame; 2],
+    ) -> bool {
         let rows = [[0.0; 3]; 4];
         let root = way.map(|origin| Frame { origin, ..Frame::default() });
-        let path = FreePath { lengths: &[LENGTH / 4.0; 4], root, curvatures: [&rows, &rows], exempt: 0.01, radius, allowance };
+        let path =
+            FreePath { lengths: &[LENGTH / 4.0; 4], root, curvatures: [&rows, &rows], exempt: 0.01, radius, permitted_overlap };
         path.is_clear_of([&BodyAt::new(0, shape, poses[0], poses[1], 0.0)], 1e-5, &mut Scratch::default())
     }
 
@@ -413,10 +422,10 @@ mod tests {
 
     #[test]
     fn what_is_drawn_into_a_body_may_stay_there() {
-        let allowance = Allowance { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
+        let permitted_overlap = PermittedOverlap { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
         for ball in balls() {
             let pose = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }; 2];
-            let is_clear = |z: f64| is_clear(&ball, [at(0.0, 0.0, z); 2], RADIUS, Some(&allowance), pose);
+            let is_clear = |z: f64| is_clear(&ball, [at(0.0, 0.0, z); 2], RADIUS, Some(&permitted_overlap), pose);
             assert!(is_clear(0.0282) && !is_clear(0.0279));
         }
     }
@@ -437,7 +446,8 @@ mod tests {
                 let tooth = Shape::new_capsule(axis - along, axis + along, nearest - RADIUS - gap).unwrap();
                 let root = [0.0, 3e-4].map(|y| Frame { origin: at(0.0, y, 0.0), ..Frame::default() });
                 let lengths = &[LENGTH / 4.0; 4];
-                let path = FreePath { lengths, root, curvatures: [&rows, &rows], exempt: 0.01, radius: RADIUS, allowance: None };
+                let path =
+                    FreePath { lengths, root, curvatures: [&rows, &rows], exempt: 0.01, radius: RADIUS, permitted_overlap: None };
                 let body = BodyAt::new(0, &tooth, Frame::default(), Frame::default(), 0.0);
                 path.is_clear_of([&body], 0.0, &mut Scratch::default())
             };
@@ -449,10 +459,10 @@ mod tests {
     #[test]
     fn a_sheet_is_not_passed_through() {
         let (sheet, front) = (square(Sides::Both), square(Sides::Front { depth: 0.01 }));
-        let allowance = Allowance { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
-        for (radius, allowance) in [(RADIUS, None), (0.0, None), (RADIUS, Some(&allowance))] {
+        let permitted_overlap = PermittedOverlap { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
+        for (radius, permitted_overlap) in [(RADIUS, None), (0.0, None), (RADIUS, Some(&permitted_overlap))] {
             let is_clear = |from: f64, to: f64| {
-                is_clear(&sheet, [at(-0.05, 0.0, from), at(-0.05, 0.01, to)], radius, allowance, [Frame::default(); 2])
+                is_clear(&sheet, [at(-0.05, 0.0, from), at(-0.05, 0.01, to)], radius, permitted_overlap, [Frame::default(); 2])
             };
             assert!(is_clear(0.001, 0.02) && is_clear(-0.001, -0.02));
             for depth in [1e-4, 1e-3, 0.05] {

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::touch::StrandCurve;
 use crate::error::{Result, check_not_negative};
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// In so many parts pieces are placed, whoever does it.
 const PARTS: usize = 32;
@@ -147,7 +147,7 @@ impl Pieces {
         &self,
         wisps: &[Wisp],
         curve: impl Fn(usize) -> StrandCurve<'a> + Sync,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         parts: &mut Vec<PlacedPieces>,
         placed: &mut PlacedPieces,
     ) {
@@ -156,7 +156,7 @@ impl Pieces {
             let at = |k: usize| self.next_element(self.pieces.len() * k / PARTS);
             part.pieces = at(k)..at(k + 1);
         }
-        crew.for_each_task(parts, 1, 1, |parts, _| {
+        workers.for_each_task(parts, 1, 1, |parts, _| {
             for part in parts {
                 part.place(self, wisps, &curve);
             }

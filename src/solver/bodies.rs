@@ -143,8 +143,8 @@ impl Solver {
             self.body_slots.moved(body.id, index);
         }
         // Strands record bodies' earlier poses by their indices in the list.
-        for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {
-            astray.bodies.clear();
+        for divergence in self.strands.iter_mut().filter_map(|strand| strand.divergence.as_deref_mut()) {
+            divergence.bodies.clear();
         }
         self.holding.forget();
         Ok(())

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Solver;
 use super::id::{self, ConstraintId, StrandId};
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::law::bond::BondAxes;
 use crate::contact::nearest::nearest;
@@ -12,7 +12,7 @@ use crate::contact::options::Friction;
 use crate::contact::touch::StrandCurve;
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::way::Way;
+use crate::math::pose_motion::PoseMotion;
 use crate::memory;
 use crate::rod::strand::StrandModel;
 
@@ -114,7 +114,7 @@ pub(super) struct Constraint {
     pub id: ConstraintId,
     pub def: ConstraintDef,
     /// The target's motion; `def.target` is the original one.
-    pub way: Way,
+    pub way: PoseMotion,
     pub state: ConstraintState,
     /// Forces of its parts in the last substep, the warm start of the next.
     pub forces: [Vector3<f64>; 3],
@@ -160,7 +160,7 @@ impl Constraint {
 
     /// Reports one of its constraint rows, in order; `curve` is the first strand's at the end of the substep.
     pub fn add_report(&mut self, joint: &Joint, curve: &StrandCurve) {
-        let Station { element, s, .. } = joint.first.station;
+        let MaterialPoint { element, s, .. } = joint.first.material_point;
         self.state.force += joint.force;
         if self.parts == 0 {
             self.held_at = curve.position(element, s);
@@ -202,10 +202,10 @@ impl Constraint {
         mut emit: impl FnMut(Joint),
     ) {
         let target = self.way.after(h);
-        let station = station_at(first.1, self.state.arclength);
+        let material_point = material_point_at(first.1, self.state.arclength);
         let mut part = 0;
-        let mut joint = |station: Station, second: Option<JointEnd>, kind: JointKind| {
-            emit(Joint::new(JointEnd { held: first.0, station }, second, kind, self.forces[part]));
+        let mut joint = |material_point: MaterialPoint, second: Option<JointEnd>, kind: JointKind| {
+            emit(Joint::new(JointEnd { held: first.0, material_point }, second, kind, self.forces[part]));
             part += 1;
         };
         let pin = |target: Vector3<f64>, axes: BondAxes| JointKind::Pin {
@@ -216,26 +216,26 @@ impl Constraint {
         };
         match self.def.hold {
             Hold::Point | Hold::Direction | Hold::Frame => {
-                joint(station, None, pin(target.origin, BondAxes::All));
-                let lever = LEVER * first.1.lengths[station.element];
+                joint(material_point, None, pin(target.origin, BondAxes::All));
+                let lever = LEVER * first.1.lengths[material_point.element];
                 let axis = |k: usize| target.rotation * Vector3::ith(k, 1.0);
                 if self.def.hold != Hold::Point {
-                    let held = Station { lever: [lever, 0.0, 0.0], ..station };
+                    let held = MaterialPoint { lever: [lever, 0.0, 0.0], ..material_point };
                     joint(held, None, pin(target.origin + axis(0) * lever, BondAxes::Across(axis(0))));
                 }
                 if self.def.hold == Hold::Frame {
-                    let held = Station { lever: [0.0, lever, 0.0], ..station };
+                    let held = MaterialPoint { lever: [0.0, lever, 0.0], ..material_point };
                     joint(held, None, pin(target.origin + axis(1) * lever, BondAxes::Along(axis(2))));
                 }
             }
             Hold::Ring { friction } => {
                 let carried = target.origin - self.way.pose.origin;
-                joint(station, None, JointKind::Ring { constraint: index, target: target.origin, carried, friction });
+                joint(material_point, None, JointKind::Ring { constraint: index, target: target.origin, carried, friction });
             }
             Hold::Tie { arclength, .. } => {
                 if let Some((held, model)) = second {
-                    let end = JointEnd { held, station: station_at(model, arclength) };
-                    joint(station, Some(end), JointKind::Tie { constraint: index, compliance: self.def.compliance });
+                    let end = JointEnd { held, material_point: material_point_at(model, arclength) };
+                    joint(material_point, Some(end), JointKind::Tie { constraint: index, compliance: self.def.compliance });
                 }
             }
         }
@@ -243,9 +243,9 @@ impl Constraint {
 }
 
 /// The material point at an arclength.
-pub(super) fn station_at(model: &StrandModel, arclength: f64) -> Station {
+pub(super) fn material_point_at(model: &StrandModel, arclength: f64) -> MaterialPoint {
     let (element, s) = model.place(arclength);
-    Station::on(element, s)
+    MaterialPoint::on(element, s)
 }
 
 impl Solver {
@@ -273,7 +273,7 @@ impl Solver {
             self.constraints.push(Constraint {
                 id,
                 def: *def,
-                way: Way::at(def.target),
+                way: PoseMotion::at(def.target),
                 state,
                 forces: [Vector3::zeros(); 3],
                 parts: 0,

@@ -4,7 +4,7 @@ use super::constraints::Constraint;
 use super::id::{SlotMap, StrandId};
 use super::strand::Strand;
 use super::touching::{NEAR, pair_options, tied};
-use super::workers::Crew;
+use super::workers::WorkerSet;
 use crate::contact::body::BodyAt;
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::options::StrandContact;
@@ -31,7 +31,7 @@ pub(super) struct DeepPlace {
 const PLACES: u32 = 16;
 
 /// The current scene.
-pub(super) struct AsItIs<'a> {
+pub(super) struct CurrentScene<'a> {
     pub strands: &'a [Strand],
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a [Constraint],
@@ -39,7 +39,7 @@ pub(super) struct AsItIs<'a> {
     pub bodies: &'a [BodyAt<'a>],
     /// Whether hair collides with hair.
     pub hair: bool,
-    pub crew: &'a Crew,
+    pub workers: &'a WorkerSet,
 }
 
 /// A strand's current curve.
@@ -50,7 +50,7 @@ struct Curve {
     deep: Vec<Touch>,
 }
 
-impl AsItIs<'_> {
+impl CurrentScene<'_> {
     /// Depth of a place beyond the permitted overlap, m.
     pub fn depth(&self, deep: &DeepPlace) -> f64 {
         match deep.partner {
@@ -69,9 +69,9 @@ impl AsItIs<'_> {
     fn allowed(&self, place: &Place) -> (f64, f64) {
         let strand = &self.strands[place.strand as usize];
         let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
-        strand.allowance.as_deref().map_or((1.0, 0.0), |allowance| {
+        strand.permitted_overlap.as_deref().map_or((1.0, 0.0), |permitted_overlap| {
             let along = along();
-            (allowance.wisp_share(along), allowance.sunk(along))
+            (permitted_overlap.wisp_share(along), permitted_overlap.sunk(along))
         })
     }
 
@@ -79,7 +79,7 @@ impl AsItIs<'_> {
     /// bodies, then between strands of which at least one is selected.
     pub fn deep_places(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<DeepPlace> {
         let mut curves: Vec<(usize, Curve)> = (0..self.strands.len()).map(|index| (index, Curve::default())).collect();
-        self.crew.for_each(&mut curves, |(index, curve), _| {
+        self.workers.for_each(&mut curves, |(index, curve), _| {
             let Strand { model, state, contact, .. } = &self.strands[*index];
             let Some(contact) = contact.as_deref() else { return };
             element_states(rotation_matrix(&state.root), model.lengths.iter().copied(), &state.curvatures, &mut curve.elements);
@@ -109,7 +109,7 @@ impl AsItIs<'_> {
     /// element.
     pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(Place, f64)> {
         let mut found: Vec<(usize, Vec<(Place, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
-        self.crew.for_each(&mut found, |(index, found), _| {
+        self.workers.for_each(&mut found, |(index, found), _| {
             let Strand { model, state, contact, .. } = &self.strands[*index];
             let Some(contact) = contact.as_deref().filter(|_| asked(*index)) else { return };
             let mut elements = Vec::new();

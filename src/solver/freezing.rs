@@ -18,7 +18,7 @@ use crate::math::quadrature::Rules;
 use crate::math::rotation::rotation_vector;
 use crate::rod::kinematics::Kinematics;
 use crate::step::StrandOutcome;
-use crate::step::state::Past;
+use crate::step::state::History;
 
 /// A strand wakes when a body comes closer than this to its surface, m, checked at points at most this far apart.
 const REACH: f64 = 1e-3;
@@ -80,7 +80,7 @@ impl Strand {
         if self.root_move.is_none() && self.state.root_velocity == zero && self.state.root_angular_velocity == zero {
             return outcome;
         }
-        self.begin_root_way(h);
+        self.begin_root_move(h);
         let [from, to] = self.root_during(h);
         self.state.teleport(to);
         self.set_rigid_velocities(&from, h, rules);
@@ -190,8 +190,8 @@ impl Solver {
             let curvatures = std::mem::take(&mut self.strands[index].state.curvatures);
             self.put_with(index, curvatures, None, &mut kinematics);
             let strand = &mut self.strands[index];
-            (strand.state.past, strand.state.subdivision) = (Past::default(), 0);
-            (strand.astray, strand.touched) = (None, false);
+            (strand.state.history, strand.state.subdivision) = (History::default(), 0);
+            (strand.divergence, strand.touched) = (None, false);
             strand.frozen = Some(Box::new(frozen));
         }
         // The warm start of their contacts is void.
@@ -233,7 +233,7 @@ impl Solver {
         }
         let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
         let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
-        self.crew.for_each(&mut self.strands, |strand, _| {
+        self.workers.for_each(&mut self.strands, |strand, _| {
             if strand.frozen.is_some() && strand.is_approached(h, &bodies, &ids) {
                 strand.frozen = None;
             }

@@ -28,7 +28,7 @@ use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Phases;
 use super::strand::{Holds, Strand};
 use super::touching::{self, TouchMemory, Touching};
-use super::workers::{Crew, Scratch};
+use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::ending::Next;
 use crate::contact::held_strand::{Attachment, HeldStrand};
@@ -113,7 +113,7 @@ pub(super) struct Scene<'a> {
     pub setting: &'a Setting<'a>,
     /// What packs are made of.
     pub set: InstructionSet,
-    pub crew: &'a Crew,
+    pub workers: &'a WorkerSet,
     /// What the substep may cost.
     pub meter: &'a Meter<'a>,
     /// Whether it is the last of its call: how deep penalties leave surfaces is told of that.
@@ -371,7 +371,7 @@ impl Holding {
         let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let (setting, bodies) = (scene.setting, scene.bodies);
         let (stopped, fast) = (scene.meter.stopped(), scene.is_fast && !scene.options.model.is_soft());
-        let finish_one = |pack: &mut AnyPack, strand: &mut Strand, held: &mut HeldStrand, scratch: &mut Scratch| {
+        let finish_one = |pack: &mut AnyPack, strand: &mut Strand, held: &mut HeldStrand, scratch: &mut WorkerScratch| {
             let island = &islands[held.island as usize];
             let left = island.ending.stopped != Stopped::No;
             if stopped == Stopped::Cancelled || stopped != Stopped::No && !held.advanced {
@@ -407,22 +407,22 @@ impl Holding {
             let outcome = held.held.outcome;
             // (Its end may be no shape at all: then it is rolled back, and not behind.)
             let behind = behind && !outcome.quarantined;
-            let astray = strand.astray.take_if(|_| behind);
+            let divergence = strand.divergence.take_if(|_| behind);
             strand.ended(outcome, setting, h, bodies, &mut scratch.step);
             if behind {
-                strand.stay_before(&root, h, bodies, astray);
+                strand.record_passed_bodies(&root, h, bodies, divergence);
             } else if !outcome.quarantined && held.lags() {
-                strand.goes_after(held.came_to.clone());
+                strand.bodies_follow(held.came_to.clone());
             }
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         };
-        let finish = |work: &mut Work<Pair>, scratch: &mut Scratch| {
+        let finish = |work: &mut Work<Pair>, scratch: &mut WorkerScratch| {
             work.finish(setting, h, |held| stopped == Stopped::No || stopped != Stopped::Cancelled && held.advanced);
             for (strand, held) in work.members.iter_mut().flatten() {
                 finish_one(work.pack, strand, held, scratch);
             }
         };
-        self.packs.with_pairs(pairs, |work| scene.crew.for_each(work, finish));
+        self.packs.with_pairs(pairs, |work| scene.workers.for_each(work, finish));
     }
 
     fn begin(&mut self, scene: &mut Scene, h: f64) {
@@ -432,7 +432,7 @@ impl Holding {
             (held.mass, held.bending) = (strand.model.mass(), strand.model.bending_force());
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            strand.ways_of_bodies(h, scene.bodies, &mut held.ways);
+            strand.body_motions(h, scene.bodies, &mut held.ways);
             held.came_to.clear();
             if held.ways.iter().zip(scene.bodies).any(|([_, end], body)| *end != body.end) {
                 held.came_to.extend(held.ways.iter().map(|[_, end]| *end));
@@ -526,7 +526,8 @@ impl Holding {
             let number = island.joints.len() as u32;
             island.joints.push(joint);
             for (k, end) in joint.ends().enumerate() {
-                let attachment = Attachment { joint: number, second: k == 1, station: end.station, modelled: joint.modelled[k] };
+                let attachment =
+                    Attachment { joint: number, second: k == 1, material_point: end.material_point, modelled: joint.modelled[k] };
                 self.strands[end.held as usize].attachments.push(attachment);
             }
         }
@@ -566,12 +567,12 @@ impl Holding {
                 break;
             }
             Self::restart(scene, packs, strands, h);
-            scene.crew.for_each(islands, |island, _| {
+            scene.workers.for_each(islands, |island, _| {
                 if !island.done && !meter.is_halted() {
                     island.refresh(strands, scene.bodies);
                 }
             });
-            packs.linearise(strands, islands, scene.crew, meter, |held| !islands[held.island as usize].done);
+            packs.linearise(strands, islands, scene.workers, meter, |held| !islands[held.island as usize].done);
             let begins = Instant::now();
             share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
@@ -580,19 +581,19 @@ impl Holding {
             to_solve.sort_unstable_by_key(|island| std::cmp::Reverse(island.joints.len()));
             let large = to_solve.partition_point(|island| island.joints.len() >= LARGE);
             let (large, small) = to_solve.split_at_mut(large);
-            let solve = |island: &mut Island, scratch: &mut Scratch, crew: &Crew| {
+            let solve = |island: &mut Island, scratch: &mut WorkerScratch, workers: &WorkerSet| {
                 island.find_ends(strands);
                 // A number that is not finite: the strand that it comes from is told apart at the end.
-                if island.solve(strands, options, h, &mut scratch.problem, crew, meter).is_err() {
+                if island.solve(strands, options, h, &mut scratch.problem, workers, meter).is_err() {
                     (island.done, island.ending.lost) = (true, island.is_relaxed());
                     island.ending.good_enough = false;
                 }
             };
             for island in large {
-                scene.crew.with_own_scratch(|scratch| solve(island, scratch, scene.crew));
+                scene.workers.with_own_scratch(|scratch| solve(island, scratch, scene.workers));
             }
-            let alone = Crew::serial();
-            scene.crew.for_each_task(small, 1, 1, |islands, scratch| {
+            let alone = WorkerSet::serial();
+            scene.workers.for_each_task(small, 1, 1, |islands, scratch| {
                 for island in islands {
                     solve(island, scratch, &alone);
                 }
@@ -604,11 +605,11 @@ impl Holding {
                     Self::begin_pressed_again(island, strands);
                 }
             }
-            packs.advance(strands, islands, setting, scene.crew, meter);
+            packs.advance(strands, islands, setting, scene.workers, meter);
             if meter.is_halted() {
                 continue;
             }
-            scene.crew.for_each(islands, |island, _| {
+            scene.workers.for_each(islands, |island, _| {
                 if !island.done {
                     island.check(strands, options, setting.options.tolerance, h);
                 }

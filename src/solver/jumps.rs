@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 
 use super::Solver;
-use super::astray::Whereabouts;
+use super::divergence::DivergenceState;
 use super::strand::{self, Strand};
 use crate::math::frame::Frame;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
@@ -74,9 +74,9 @@ impl Solver {
             let bends = body.end_bending_where_it_jumps(dt, MIN_BODY_JUMP.max(most * dt * dt));
             from.push(if jumps || bends { to } else { body.way.pose });
         }
-        for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {
-            if matches!(astray.state, Whereabouts::Carried { .. }) && astray.bodies.is_empty() {
-                astray.bodies.clone_from(&from);
+        for divergence in self.strands.iter_mut().filter_map(|strand| strand.divergence.as_deref_mut()) {
+            if matches!(divergence.state, DivergenceState::Carried { .. }) && divergence.bodies.is_empty() {
+                divergence.bodies.clone_from(&from);
             }
         }
         carried

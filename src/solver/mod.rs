@@ -2,7 +2,6 @@
 //!
 //! Files:
 //!
-//! - `astray.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
 //! - `attachment.rs`: Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
 //! - `bodies.rs`: Bodies, which strands stay outside of.
 //! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
@@ -14,6 +13,7 @@
 //! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
 //! - `deep_places.rs`: Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 //! - `definition.rs`: The options of a solver; strands: `StrandDef`.
+//! - `divergence.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
 //! - `editing.rs`: Edits strands: motions of roots, natural and current shapes, rest.
 //! - `fast_bodies.rs`: Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the whole scene.
 //! - `freezing.rs`: Frozen strands: a fixed style.
@@ -46,7 +46,6 @@
 //! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
 //! - `workers.rs`: The workers of a step and their scratch memory.
 
-mod astray;
 pub mod attachment;
 pub mod bodies;
 mod bringing_out;
@@ -58,6 +57,7 @@ mod crossing;
 pub mod debug_draw;
 mod deep_places;
 pub mod definition;
+mod divergence;
 pub(crate) mod editing;
 mod fast_bodies;
 mod freezing;
@@ -117,7 +117,7 @@ use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
 use stepping::BodiesAtWork;
 use strand::Strand;
-use workers::Crew;
+use workers::WorkerSet;
 
 /// The scene: strands, bodies, constraints, gravity, wind, options.
 ///
@@ -142,7 +142,7 @@ pub struct Solver {
     slots: SlotMap,
     strands: Vec<Strand>,
     sections: Sections,
-    crew: Crew,
+    workers: WorkerSet,
     constraint_slots: SlotMap<ConstraintId>,
     constraints: Vec<Constraint>,
     holding: Box<Holding>,
@@ -168,7 +168,7 @@ impl Solver {
     /// [`Error::InvalidArgument`] or [`Error::Unsupported`] for an option that cannot be used, or threads that could not be started.
     pub fn new(options: SolverOptions) -> Result<Self> {
         options.check("options")?;
-        let crew = Crew::new(&options.workers)?;
+        let workers = WorkerSet::new(&options.workers)?;
         let rules = Box::new(Rules::new(options.step.quadrature_tolerance));
         // Identifiers of two solvers differ by the solvers' addresses: they share no counter.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
@@ -179,7 +179,7 @@ impl Solver {
             slots: SlotMap::new(mark as u16),
             strands: Vec::new(),
             sections: Sections::default(),
-            crew,
+            workers,
             constraint_slots: SlotMap::new(mark as u16),
             constraints: Vec::new(),
             holding: Box::default(),

@@ -101,7 +101,7 @@ impl Solver {
             Vec::new()
         };
         let strands = &self.strands;
-        self.crew.for_each_task(&mut posed, MIN_STRANDS_PER_TASK, MAX_STRANDS_PER_TASK, |posed, _| {
+        self.workers.for_each_task(&mut posed, MIN_STRANDS_PER_TASK, MAX_STRANDS_PER_TASK, |posed, _| {
             let (mut scratch, mut near) = (PoseScratch::default(), Vec::new());
             for (k, posed) in posed {
                 let strand = &strands[posed.index];

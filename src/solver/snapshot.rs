@@ -385,9 +385,9 @@ impl Solver {
             writer.touches(&self.holding.memory());
         }
         // one without permitted overlaps that from before they existed,
-        if self.strands.iter().any(|strand| strand.allowance.is_some()) {
+        if self.strands.iter().any(|strand| strand.permitted_overlap.is_some()) {
             for strand in &self.strands {
-                writer.allowance(strand.allowance.as_deref());
+                writer.permitted_overlap(strand.permitted_overlap.as_deref());
             }
         }
         // and one without limits likewise: golden hashes depend on it.

@@ -217,7 +217,7 @@ impl Solver {
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+        self.workers.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for substep in 0..substeps {
                 let halted = meter.is_halted();
@@ -357,14 +357,14 @@ impl Solver {
             options: &self.options.contact,
             setting: &setting,
             set,
-            crew: &self.crew,
+            workers: &self.workers,
             meter,
             is_last,
             is_fast,
             is_part: false,
         };
         let (are_near, tolerance) = (Holding::mark(&mut scene, h), scene.options.tolerance);
-        self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+        self.workers.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             if are_near {
                 scratch.trial_steps.begin(strands, &bodies, h, meter);

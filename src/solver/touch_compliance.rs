@@ -190,7 +190,7 @@ impl Solver {
         self.contacts_by_strand(&mut out.contacts);
         let most_deep = OVERLAPS * self.options.contact.tolerance;
         let held = Places { bodies, contacts: &out.contacts, constraints: &self.constraints, most_deep };
-        self.crew.for_each_task(&mut out.near[..out.near_count], TASK, usize::MAX, |strands, _| {
+        self.workers.for_each_task(&mut out.near[..out.near_count], TASK, usize::MAX, |strands, _| {
             for near in strands {
                 near.find(&self.strands[near.index as usize], &still, within, &held);
             }
@@ -217,7 +217,7 @@ impl Solver {
             near.response = if near.has_touches() { Some(out.responses.pop().unwrap_or_default()) } else { None };
             near.make_room(out.most_places);
         }
-        self.crew.for_each_task(near, TASK, usize::MAX, |strands, _| {
+        self.workers.for_each_task(near, TASK, usize::MAX, |strands, _| {
             for near in strands.iter_mut().filter(|near| near.has_touches()) {
                 near.condense(&self.strands[near.index as usize], &setting, seconds);
                 if !near.is_finite() {

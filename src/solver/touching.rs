@@ -2,11 +2,11 @@
 //!
 //! Files:
 //!
-//! - `allowances.rs`: Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
 //! - `memory.rs`: What is kept of touches from substep to substep, taken out and put back, for images of a scene.
+//! - `permitted_overlaps.rs`: Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
 
-mod allowances;
 mod memory;
+mod permitted_overlaps;
 
 use nalgebra::Vector3;
 
@@ -15,7 +15,7 @@ pub(super) use memory::{NearStrands, TouchMemory};
 use super::constraints::{Constraint, ConstraintStatus, Hold};
 use super::holding::Scene;
 use super::id::StrandId;
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
@@ -144,7 +144,7 @@ impl Touching {
     fn search(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
         self.hair.clear();
         if at_start {
-            self.allows = scene.strands.iter().any(|strand| strand.allowance.is_some());
+            self.allows = scene.strands.iter().any(|strand| strand.permitted_overlap.is_some());
         }
         let unseen = unseen(scene.options);
         for held in strands.iter_mut() {
@@ -152,12 +152,12 @@ impl Touching {
         }
         if !scene.bodies.is_empty() {
             let all = &*scene.strands;
-            scene.crew.for_each(strands, |held, _| {
+            scene.workers.for_each(strands, |held, _| {
                 if held.has_gone(unseen) && !scene.meter.is_halted() {
                     held.find_bodies(scene.bodies, NEAR);
                     scene.meter.spend(held.path().now.elements.len() as u64 * WORK_AN_ELEMENT);
-                    if let Some(allowance) = all[held.index as usize].allowance.as_deref() {
-                        allowances::give_way_to_bodies(held, allowance, NEAR);
+                    if let Some(permitted_overlap) = all[held.index as usize].permitted_overlap.as_deref() {
+                        permitted_overlaps::give_way_to_bodies(held, permitted_overlap, NEAR);
                     }
                 }
             });
@@ -190,7 +190,7 @@ impl Touching {
             tied(scene.constraints, |id| of.binary_search(&(scene.slots.index(id)? as u32)).ok(), ties);
             self.ready &= self.pairs.set_ties(&self.ties).is_ok();
         }
-        self.ready &= self.pairs.update_by(&paths, scene.crew, scene.meter).is_ok();
+        self.ready &= self.pairs.update_by(&paths, scene.workers, scene.meter).is_ok();
         if !self.ready {
             return;
         }
@@ -203,7 +203,7 @@ impl Touching {
             part.from = k * PART;
         }
         let (pairs, allows, all) = (&self.pairs, self.allows, &*scene.strands);
-        scene.crew.for_each_task(&mut self.parts[..parts], 1, 1, |parts, _| {
+        scene.workers.for_each_task(&mut self.parts[..parts], 1, 1, |parts, _| {
             for PairPart { from, touches, scratch } in parts {
                 touches.clear();
                 for group in groups[*from..].iter().take(PART).take_while(|_| !scene.meter.is_halted()) {
@@ -211,7 +211,7 @@ impl Touching {
                     scene.meter.spend(u64::from(group.candidates()) * WORK_A_CANDIDATE);
                 }
                 if allows {
-                    allowances::give_way_to_hair(all, strands, within.min(pairs.activation()), touches);
+                    permitted_overlaps::give_way_to_hair(all, strands, within.min(pairs.activation()), touches);
                 }
             }
         });
@@ -231,8 +231,8 @@ impl Touching {
         let (second, kind, with) = match touch.partner {
             Partner::Body { body, feature } => {
                 let at = &scene.bodies[body as usize];
-                let margin = allowances::radius(scene.strands, strand, &first.station) + at.thickness;
-                let point = strand.end_state(&first.station).now - touch.normal * (touch.gap + margin);
+                let margin = permitted_overlaps::radius(scene.strands, strand, &first.material_point) + at.thickness;
+                let point = strand.end_state(&first.material_point).now - touch.normal * (touch.gap + margin);
                 let (normal, carried) = (touch.normal, touch.carried);
                 let kind = JointKind::Body {
                     body,
@@ -253,7 +253,7 @@ impl Touching {
                     strand.contact.wisp_radius + other.contact.wisp_radius
                 } else {
                     // What a knot near by, or what the strands may overlap, has left of the radii.
-                    let apart = strand.end_state(&first.station).now - other.end_state(&second.station).now;
+                    let apart = strand.end_state(&first.material_point).now - other.end_state(&second.material_point).now;
                     touch.normal.dot(&apart) - touch.gap
                 };
                 let kind = JointKind::Hair { normal: touch.normal, margin };
@@ -261,7 +261,7 @@ impl Touching {
             }
         };
         let deep = !scene.options.model.is_soft() && touch.gap < 0.0 && self.was_deep(scene, strands, &first, second, kind);
-        let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
+        let force = self.recall(strand.index, with, strand.along(&first.material_point), strand.length());
         // A force that draws is none of a touch; and so small a one as the solve may leave where there is none would stay for ever on a
         // strand that leaves.
         let lightest = second.map_or(strand.mass, |end| strand.mass.min(strands[end.held as usize].mass));
@@ -282,14 +282,14 @@ impl Touching {
         kind: JointKind,
     ) -> bool {
         let strand = &strands[first.held as usize];
-        let (allowed, at) = (DEEP * scene.options.tolerance, strand.end_state(&first.station).start);
+        let (allowed, at) = (DEEP * scene.options.tolerance, strand.end_state(&first.material_point).start);
         match (kind, second) {
             (JointKind::Body { body, .. }, _) => {
-                let radius = allowances::radius(scene.strands, strand, &first.station);
+                let radius = permitted_overlaps::radius(scene.strands, strand, &first.material_point);
                 radius + strand.met(scene.bodies, body).depth_at_start(at, DEEPEST) > allowed
             }
             (JointKind::Hair { margin, .. }, Some(end)) => {
-                let apart = (at - strands[end.held as usize].end_state(&end.station).start).norm();
+                let apart = (at - strands[end.held as usize].end_state(&end.material_point).start).norm();
                 apart < margin - allowed
             }
             _ => false,
@@ -330,10 +330,10 @@ impl Touching {
                 continue;
             }
             let first = &strands[held as usize];
-            let a = first.end_state(&joint.first.station);
-            let other = joint.second.map(|end| (&strands[end.held as usize], end.station));
-            let (b, contact) =
-                other.map_or((a, &first.contact), |(strand, station)| (strand.end_state(&station), &strand.contact));
+            let a = first.end_state(&joint.first.material_point);
+            let other = joint.second.map(|end| (&strands[end.held as usize], end.material_point));
+            let (b, contact) = other
+                .map_or((a, &first.contact), |(strand, material_point)| (strand.end_state(&material_point), &strand.contact));
             let (law, u) = joint.evaluate([a, b], [&first.contact, contact], scene.options, h);
             let overlaps = matches!(law, Law::Contact(law) if law.normal.dot(&u) < -scene.options.tolerance);
             if overlaps && !is_told(&joint, strands, islands, scene.options.tolerance) {
@@ -476,7 +476,7 @@ impl Touching {
                 _ => continue,
             };
             let strand = &strands[joint.first.held as usize];
-            let along = strand.along(&joint.first.station);
+            let along = strand.along(&joint.first.material_point);
             self.remembered.push(Remembered { strand: strand.index, with, along, force: joint.force });
         }
         self.sort_remembered();
@@ -542,7 +542,7 @@ fn is_told(joint: &Joint, strands: &[HeldStrand], islands: &[Island], tolerance:
 
 /// How far two touches of a strand with the same partner are apart along the strand, or its partner, at most, m.
 fn apart(one: &Joint, other: &Joint, strands: &[HeldStrand]) -> f64 {
-    let along = |end: &JointEnd| strands[end.held as usize].along(&end.station);
+    let along = |end: &JointEnd| strands[end.held as usize].along(&end.material_point);
     let off = |a: &JointEnd, b: &JointEnd| (along(a) - along(b)).abs();
     let first = off(&one.first, &other.first);
     match (&one.second, &other.second) {
@@ -575,5 +575,5 @@ pub(super) fn tied(constraints: &[Constraint], wisp: impl Fn(StrandId) -> Option
 }
 
 fn end(held: u32, place: &Place) -> JointEnd {
-    JointEnd { held, station: Station::on(place.element as usize, place.s) }
+    JointEnd { held, material_point: MaterialPoint::on(place.element as usize, place.s) }
 }

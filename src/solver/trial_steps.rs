@@ -5,7 +5,7 @@
 //! continues with the same bits.
 
 use super::report::Energies;
-use super::strand::{Fared, Holds, Strand, Tally};
+use super::strand::{Holds, Strand, SubstepResult, Tally};
 use crate::contact::body::BodyAt;
 use crate::contact::path_clearance::{self, FreePath};
 use crate::math::frame::Frame;
@@ -35,7 +35,7 @@ struct Saved {
     index: usize,
     state: StrandState,
     energies: Energies,
-    fared: Fared,
+    last: SubstepResult,
     root_move: Option<(PoseMove, f64)>,
     /// The root's poses at the start and the end.
     root: [Frame; 2],
@@ -52,7 +52,7 @@ impl TrialSteps {
         }
         for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| strand.holds == Holds::Perhaps) {
             // (The step after one under pressure uses another formula than the free one.)
-            if strand.touched || strand.astray.is_some() {
+            if strand.touched || strand.divergence.is_some() {
                 continue;
             }
             let root = strand.root_during(h);
@@ -65,7 +65,7 @@ impl TrialSteps {
             }
             let saved = &mut self.saved[self.count];
             saved.state.clone_from(&strand.state);
-            (saved.index, saved.energies, saved.fared) = (index, strand.energies, strand.fared);
+            (saved.index, saved.energies, saved.last) = (index, strand.energies, strand.last);
             (saved.root, saved.root_move) = (root, strand.root_move.as_deref().cloned());
             self.count += 1;
         }
@@ -88,7 +88,7 @@ impl TrialSteps {
                 continue;
             }
             std::mem::swap(&mut strand.state, &mut saved.state);
-            (strand.energies, strand.fared, strand.astray) = (saved.energies, saved.fared, None);
+            (strand.energies, strand.last, strand.divergence) = (saved.energies, saved.last, None);
             strand.root_move = saved.root_move.take().map(Box::new);
             strand.holds = Holds::Perhaps;
         }
@@ -104,7 +104,7 @@ impl Saved {
             curvatures: [&self.state.curvatures, &strand.state.curvatures],
             exempt: contact.exempt_length,
             radius: contact.radius,
-            allowance: strand.allowance.as_deref(),
+            permitted_overlap: strand.permitted_overlap.as_deref(),
         };
         path.is_clear_of(near(strand, &self.root, bodies), spare, scratch)
     }

@@ -14,7 +14,7 @@ use super::damping::Damping;
 use super::iterate::Iterate;
 use super::line_search::Merit;
 use crate::chain::delassus::Delassus;
-use crate::chain::load::{Load, Station};
+use crate::chain::load::{Load, MaterialPoint};
 use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;
@@ -50,7 +50,7 @@ pub struct Held {
     pub(super) guessed: Merit,
     pub(super) damping: Damping,
     pub(super) before: Option<f64>,
-    pub(super) stations: Vec<Station>,
+    pub(super) material_points: Vec<MaterialPoint>,
     pub(super) loads: Vec<Load<f64>>,
     /// Which of its pack's loads each station is.
     pub(super) slots: Vec<u32>,
@@ -90,7 +90,7 @@ impl Default for Held {
             guessed: Merit::default(),
             damping: Damping::new(0.0),
             before: None,
-            stations: Vec::new(),
+            material_points: Vec::new(),
             loads: Vec::new(),
             slots: Vec::new(),
             forces: Vec::new(),
@@ -110,17 +110,17 @@ impl Default for Held {
 
 impl Held {
     /// Makes room for so many stations.
-    pub fn make_room(&mut self, stations: usize) {
+    pub fn make_room(&mut self, material_points: usize) {
         fn reserve<T>(list: &mut Vec<T>, count: usize) {
             list.reserve(count.saturating_sub(list.len()));
         }
-        reserve(&mut self.stations, stations);
-        reserve(&mut self.loads, stations);
-        reserve(&mut self.slots, stations);
-        reserve(&mut self.forces, stations);
-        reserve(&mut self.anchors, stations);
-        reserve(&mut self.free, stations);
-        reserve(&mut self.delassus.columns, 9 * stations * stations);
+        reserve(&mut self.material_points, material_points);
+        reserve(&mut self.loads, material_points);
+        reserve(&mut self.slots, material_points);
+        reserve(&mut self.forces, material_points);
+        reserve(&mut self.anchors, material_points);
+        reserve(&mut self.free, material_points);
+        reserve(&mut self.delassus.columns, 9 * material_points * material_points);
     }
 
     /// Its step has begun: it is where the iteration starts from.
@@ -130,7 +130,7 @@ impl Held {
         self.damping = Damping::new(usual_damping);
         (self.before, self.gone, self.residual) = (None, f64::INFINITY, f64::INFINITY);
         self.outcome = StrandOutcome { converged: false, quarantined: !potential.value.is_finite(), ..StrandOutcome::default() };
-        self.stations.clear();
+        self.material_points.clear();
         self.loads.clear();
         self.slots.clear();
         self.forces.clear();
@@ -149,19 +149,19 @@ impl Held {
     }
 
     /// Where a station is in a strand whose root's origin and elements are given.
-    pub fn place((origin, elements): (Vector3<f64>, &[ElementState<f64>]), station: &Station) -> Vector3<f64> {
-        origin + Vector3::from(position(elements, station))
+    pub fn place((origin, elements): (Vector3<f64>, &[ElementState<f64>]), material_point: &MaterialPoint) -> Vector3<f64> {
+        origin + Vector3::from(position(elements, material_point))
     }
 
-    /// Before the first half of an iteration: forces will act at `stations` (from root to tip); `guess` are those that the iteration before came
+    /// Before the first half of an iteration: forces will act at `material_points` (from root to tip); `guess` are those that the iteration before came
     /// to, which bend the matrix. `bonds`: none, or one a station that a bond holds to the world.
     ///
     /// Where the strand's own matrix is not positive definite, as under pressure between clamps, springs on the bonds are added to it (an
     /// augmented Lagrangian): they cost the solution nothing, since what they pull with is taken off the bonds' forces again
     /// ([`Held::pulled`]), and unlike damping they hold nothing back that the bonds leave free.
-    pub fn hold(&mut self, stations: &[Station], guess: &[Vec3<f64>], bonds: &[Option<WorldBond>]) {
-        self.stations.clear();
-        self.stations.extend_from_slice(stations);
+    pub fn hold(&mut self, material_points: &[MaterialPoint], guess: &[Vec3<f64>], bonds: &[Option<WorldBond>]) {
+        self.material_points.clear();
+        self.material_points.extend_from_slice(material_points);
         self.forces.clear();
         self.forces.extend_from_slice(guess);
         self.bonds.clear();
@@ -173,7 +173,11 @@ impl Held {
     pub(super) fn load<T: Lane>(&mut self, iterate: &Iterate<T>, lane: usize, exact: bool) {
         self.loads.clear();
         let tension = |force: &Vec3<f64>| if exact { *force } else { Vec3::zero() };
-        let loads = self.stations.iter().zip(&self.forces).map(|(station, force)| Load::at(&self.now, station, tension(force)));
+        let loads = self
+            .material_points
+            .iter()
+            .zip(&self.forces)
+            .map(|(material_point, force)| Load::at(&self.now, material_point, tension(force)));
         self.loads.extend(loads);
         self.usual_spring = if self.bonds.is_empty() {
             0.0
@@ -206,8 +210,8 @@ impl Held {
 
     /// What the spring on a station's bond pulls at it with in the linear model beside what is told of it: to be added to the force that
     /// the model has there, N.
-    pub fn pulled(&self, station: usize) -> Vec3<f64> {
-        match self.bonds.get(station) {
+    pub fn pulled(&self, material_point: usize) -> Vec3<f64> {
+        match self.bonds.get(material_point) {
             Some(Some(bond)) if self.spring > 0.0 => bond.off.scale(self.spring),
             _ => Vec3::zero(),
         }
@@ -219,11 +223,9 @@ impl Held {
         self.forces.extend_from_slice(forces);
         self.anchors.clear();
         if self.spring > 0.0 {
-            let anchors = self
-                .stations
-                .iter()
-                .zip(&self.bonds)
-                .map(|(station, bond)| position(&self.now, station) - bond.as_ref().map_or(Vec3::zero(), |bond| bond.off));
+            let anchors = self.material_points.iter().zip(&self.bonds).map(|(material_point, bond)| {
+                position(&self.now, material_point) - bond.as_ref().map_or(Vec3::zero(), |bond| bond.off)
+            });
             self.anchors.extend(anchors);
         }
     }
@@ -250,9 +252,9 @@ impl Held {
 
     /// The force on its root and the torque about it, with those of the forces at its stations.
     pub(super) fn wrench(&self, mut force: Vec3<f64>, mut torque: Vec3<f64>) -> (Vec3<f64>, Vec3<f64>) {
-        for (station, pull) in self.stations.iter().zip(&self.forces) {
+        for (material_point, pull) in self.material_points.iter().zip(&self.forces) {
             force += *pull;
-            torque += position(&self.now, station).cross(*pull);
+            torque += position(&self.now, material_point).cross(*pull);
         }
         (force, torque)
     }
@@ -274,13 +276,13 @@ fn farthest(elements: &[ElementState<f64>], were: &[ElementState<f64>]) -> f64 {
     ends.fold((tip(elements) - tip(were)).norm_squared(), f64::max).sqrt()
 }
 
-fn position(elements: &[ElementState<f64>], station: &Station) -> Vec3<f64> {
-    let element = &elements[station.element];
-    let point = element.point(station.s);
+fn position(elements: &[ElementState<f64>], material_point: &MaterialPoint) -> Vec3<f64> {
+    let element = &elements[material_point.element];
+    let point = element.point(material_point.s);
     let mut local = point.local;
-    if station.lever != [0.0; 3] {
-        let (theta, z) = (element.kappa.scale(station.s), element.kappa_squared * (station.s * station.s));
-        local += crate::rod::segment::frame(theta, z, &point.c).apply(Vec3(station.lever));
+    if material_point.lever != [0.0; 3] {
+        let (theta, z) = (element.kappa.scale(material_point.s), element.kappa_squared * (material_point.s * material_point.s));
+        local += crate::rod::segment::frame(theta, z, &point.c).apply(Vec3(material_point.lever));
     }
     element.origin_left + element.frame_left.apply(local)
 }
@@ -298,8 +300,8 @@ fn lagrangian(
     elements: &[ElementState<f64>],
     bonds: &[Option<WorldBond>],
 ) -> Merit {
-    for (index, (station, force)) in held.stations.iter().zip(&held.forces).enumerate() {
-        let at = position(elements, station);
+    for (index, (material_point, force)) in held.material_points.iter().zip(&held.forces).enumerate() {
+        let at = position(elements, material_point);
         value -= at.dot(*force);
         noise += 8.0 * f64::EPSILON * (at.norm_squared() * force.norm_squared()).sqrt();
         if let Some(Some(bond)) = bonds.get(index) {

@@ -4,7 +4,7 @@ use super::Setting;
 use super::held::Held;
 use super::held_pack::HeldPack;
 use super::members::One;
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::math::vector::Vec3;
 
 /// A strand that takes its step by itself.
@@ -17,9 +17,9 @@ pub struct Alone {
 
 impl Alone {
     /// Makes room for so many stations.
-    pub fn make_room(&mut self, stations: usize) {
-        self.held.make_room(stations);
-        self.pack.make_room(stations);
+    pub fn make_room(&mut self, material_points: usize) {
+        self.held.make_room(material_points);
+        self.pack.make_room(material_points);
     }
 
     /// Begins a step of `h` seconds; `first_order`: by implicit Euler whatever the setting says.
@@ -28,8 +28,8 @@ impl Alone {
     }
 
     /// [`Held::hold`], and the first half of an iteration.
-    pub fn linearise(&mut self, stations: &[Station], guess: &[Vec3<f64>]) {
-        self.held.hold(stations, guess, &[]);
+    pub fn linearise(&mut self, material_points: &[MaterialPoint], guess: &[Vec3<f64>]) {
+        self.held.hold(material_points, guess, &[]);
         self.pack.linearise(&mut [Some(&mut self.held)]);
     }
 

@@ -21,9 +21,9 @@ impl<T> Default for PackLoads<T> {
 
 impl<T: Lane> PackLoads<T> {
     /// Makes room for so many stations.
-    pub fn make_room(&mut self, stations: usize) {
-        self.loads.reserve(stations.saturating_sub(self.loads.len()));
-        self.forces.reserve(stations.saturating_sub(self.forces.len()));
+    pub fn make_room(&mut self, material_points: usize) {
+        self.loads.reserve(material_points.saturating_sub(self.loads.len()));
+        self.forces.reserve(material_points.saturating_sub(self.forces.len()));
     }
 
     /// There are none.
@@ -40,7 +40,7 @@ impl<T: Lane> PackLoads<T> {
             let first = count;
             for held in strands.iter_mut().flatten() {
                 let mut next = first;
-                while held.stations.get(held.slots.len()).is_some_and(|station| station.element == element) {
+                while held.material_points.get(held.slots.len()).is_some_and(|material_point| material_point.element == element) {
                     held.slots.push(next as u32);
                     next += 1;
                 }
@@ -78,8 +78,8 @@ impl<T: Lane> PackLoads<T> {
     pub fn pull(&mut self, strands: Lanes) {
         self.rest();
         for (lane, held) in running(strands) {
-            for (station, slot) in held.slots.iter().enumerate() {
-                let pull = held.forces[station] - held.pulled(station);
+            for (material_point, slot) in held.slots.iter().enumerate() {
+                let pull = held.forces[material_point] - held.pulled(material_point);
                 (0..3).for_each(|axis| self.forces[*slot as usize].0[axis].set_lane(lane, pull.0[axis]));
             }
         }

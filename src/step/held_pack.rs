@@ -1,13 +1,13 @@
 //! Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of [`super::held`].
 //!
-//! The strands of a pack are of one [`Kind`](super::members::Kind) and begin together; each then goes its own way, and may wait while others
+//! The strands of a pack are of one [`Kind`](super::members::PackKey) and begin together; each then goes its own way, and may wait while others
 //! go on: no lane's result depends on the others.
 
 use super::held::{Held, Lanes, running};
 use super::held_loads::PackLoads;
-use super::iterate::{Problem, choose_start, forces, foresee, place_trial, wrench};
+use super::iterate::{Problem, choose_start, forces, place_trial, predict_tension, wrench};
 use super::line_search::{self, LineSearch, Merit};
-use super::members::{Members, lane_of};
+use super::members::{Pack, lane_of};
 use super::options::Integrator;
 use super::scratch::Bench;
 use super::stages::{self, StageTimes};
@@ -47,7 +47,7 @@ impl<T: Lane> Default for HeldPack<T> {
             start: Vec::new(),
             rotation: Mat3::zero(),
             offset: Vec3::zero(),
-            times: StageTimes { index: 0, k: T::zero(), way: T::zero() },
+            times: StageTimes { index: 0, k: T::zero(), span: T::zero() },
             freedoms: Freedoms::default(),
             rule: 0,
             exact: 0,
@@ -60,13 +60,13 @@ impl<T: Lane> Default for HeldPack<T> {
 
 impl<T: Lane> HeldPack<T> {
     /// Makes room for so many stations.
-    pub fn make_room(&mut self, stations: usize) {
-        self.loads.make_room(stations);
-        self.moved.reserve(stations.saturating_sub(self.moved.len()));
+    pub fn make_room(&mut self, material_points: usize) {
+        self.loads.make_room(material_points);
+        self.moved.reserve(material_points.saturating_sub(self.moved.len()));
     }
 
     /// Begins a step of `h` seconds of strands of one kind, a lane each; `first_order`: by implicit Euler whatever the setting says.
-    pub fn begin(&mut self, members: &dyn Members, setting: &Setting, h: f64, first_order: bool, strands: Lanes) {
+    pub fn begin(&mut self, members: &dyn Pack, setting: &Setting, h: f64, first_order: bool, strands: Lanes) {
         T::call(Begin { pack: self, members, setting, h, first_order, strands });
     }
 
@@ -109,7 +109,7 @@ impl<T: Lane> HeldPack<T> {
     }
 
     /// Works out what the step's end is like for its strands, before [`HeldPack::end`].
-    pub fn finish(&mut self, members: &dyn Members, setting: &Setting, h: f64, strands: Lanes) {
+    pub fn finish(&mut self, members: &dyn Pack, setting: &Setting, h: f64, strands: Lanes) {
         T::call(Finish { pack: self, members, setting, h, strands });
     }
 
@@ -119,7 +119,7 @@ impl<T: Lane> HeldPack<T> {
     pub fn end(
         &self,
         lane: usize,
-        member: &mut dyn Members,
+        member: &mut dyn Pack,
         setting: &Setting,
         h: f64,
         most_elastic: f64,
@@ -156,7 +156,7 @@ impl<T: Lane> HeldPack<T> {
 
 struct Begin<'a, 'b, T> {
     pack: &'a mut HeldPack<T>,
-    members: &'a dyn Members,
+    members: &'a dyn Pack,
     setting: &'a Setting<'a>,
     h: f64,
     first_order: bool,
@@ -169,7 +169,7 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
     fn run(self) {
         let Self { pack, members, setting, h, first_order, strands } = self;
         let workspace = &mut pack.bench.workspace;
-        let two_step = setting.options.integrator == Integrator::SecondOrder && stages::leans_on_past(members.state(0), h);
+        let two_step = setting.options.integrator == Integrator::SecondOrder && stages::uses_history(members.state(0), h);
         pack.times = if two_step && !first_order {
             stages::start_backward_difference(members, setting, h, workspace).0
         } else {
@@ -186,7 +186,7 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
         let axes = &axes[..pack.freedoms.count()];
         let Workspace { loaded, iterate, stages, roots, .. } = workspace;
         stages::assemble_terms(pack.times.k, pack.offset, &rule.weights, loaded, &stages[0], iterate);
-        stages::lead(pack.times.way, pack.freedoms, loaded, None, iterate);
+        stages::lead(pack.times.span, pack.freedoms, loaded, None, iterate);
         let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
         let potential = choose_start(&problem, iterate);
         iterate.system.point_tension.clear();
@@ -310,7 +310,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
             held.before = newton.then_some(rotation[lane]);
         }
         if setting.options.exact_hessian && moving != 0 {
-            pack.foresee(&part, moving);
+            pack.predict_tension(&part, moving);
         }
     }
 }
@@ -318,11 +318,11 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
 impl<T: Lane> HeldPack<T> {
     /// The tension of the lanes that have moved, by `part` of the direction each. The others keep theirs.
     #[inline(always)]
-    fn foresee(&mut self, part: &[f64; MAX_LANES], moved: u32) {
+    fn predict_tension(&mut self, part: &[f64; MAX_LANES], moved: u32) {
         let axes = self.freedoms.axes();
         let iterate = &mut self.bench.workspace.iterate;
         std::mem::swap(&mut iterate.system.point_tension, &mut iterate.spare_tension);
-        foresee(iterate, &axes[..self.freedoms.count()], part);
+        predict_tension(iterate, &axes[..self.freedoms.count()], part);
         let others = ((1_u32 << T::LANES) - 1) & !moved;
         if others != 0 {
             let moved = T::mask(moved);
@@ -341,7 +341,7 @@ impl<T: Lane> HeldPack<T> {
 
 struct Finish<'a, 'b, T> {
     pack: &'a mut HeldPack<T>,
-    members: &'a dyn Members,
+    members: &'a dyn Pack,
     setting: &'a Setting<'a>,
     h: f64,
     strands: Lanes<'a, 'b>,

@@ -3,7 +3,7 @@
 use super::Setting;
 use super::held::{Held, Lanes};
 use super::held_pack::HeldPack;
-use super::members::Members;
+use super::members::Pack;
 use super::state::RuleScratch;
 #[allow(unused_imports, reason = "which types there are depends on the machine")]
 use crate::math::lanes;
@@ -84,7 +84,7 @@ impl AnyPack {
     /// See [`HeldPack::begin`]; in the registers of `set` that hold the strands.
     pub fn begin(
         &mut self,
-        members: &dyn Members,
+        members: &dyn Pack,
         setting: &Setting,
         h: f64,
         first_order: bool,
@@ -111,7 +111,7 @@ impl AnyPack {
     }
 
     /// See [`HeldPack::finish`].
-    pub fn finish(&mut self, members: &dyn Members, setting: &Setting, h: f64, strands: Lanes) {
+    pub fn finish(&mut self, members: &dyn Pack, setting: &Setting, h: f64, strands: Lanes) {
         with_pack!(self, pack => pack.finish(members, setting, h, strands));
     }
 
@@ -120,7 +120,7 @@ impl AnyPack {
     pub fn end(
         &mut self,
         lane: usize,
-        member: &mut dyn Members,
+        member: &mut dyn Pack,
         setting: &Setting,
         h: f64,
         most_elastic: f64,

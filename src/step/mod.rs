@@ -68,9 +68,9 @@ use crate::energy::Energies;
 use crate::math::lane::{Lane, Precision};
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
-use members::{Members, One};
+use members::{One, Pack};
 use options::{Integrator, StepOptions};
-use scratch::{Bench, Scratch};
+use scratch::{Bench, StepScratch};
 use single::Single;
 use state::RuleScratch;
 use workspace::Workspace;
@@ -157,7 +157,7 @@ impl StrandOutcome {
 /// Takes one strand through a step of `h` seconds. A strand that turns non-finite is rolled back.
 ///
 /// A step that fails is taken in substeps: see [`StepOptions::max_subdivisions`].
-pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
+pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch) -> StrandOutcome {
     if setting.options.integrator == Integrator::Reference {
         return take_reference(setting, one, h, scratch);
     }
@@ -173,7 +173,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> 
 }
 
 /// Finishes the step of a strand that tried it in one piece: in substeps if that failed.
-pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut Scratch) -> StrandOutcome {
+pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut StepScratch) -> StrandOutcome {
     if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
         one.state.subdivision = 0;
         return *whole;
@@ -183,8 +183,8 @@ pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, s
     outcome
 }
 
-fn take_in_substeps(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
-    let Scratch { one: bench, one_f32, rule, before_step, .. } = scratch;
+fn take_in_substeps(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut StepScratch) -> StrandOutcome {
+    let StepScratch { one: bench, one_f32, rule, before_step, .. } = scratch;
     let begin = before_step.get_or_insert_default();
     match setting.options.precision {
         Precision::F64 => subdivision::in_substeps(one, setting, h, level, bench, rule, begin),
@@ -210,7 +210,7 @@ fn take_whole<T: Single>(
 
 /// Makes the end of a step in one piece the strand's state, at the quadrature rule of its new shape.
 fn keep<T: Lane>(
-    members: &mut dyn Members,
+    members: &mut dyn Pack,
     lane: usize,
     setting: &Setting,
     h: f64,
@@ -223,10 +223,10 @@ fn keep<T: Lane>(
 }
 
 /// A step of the reference integrator, which works on the state itself.
-fn take_reference(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
+fn take_reference(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch) -> StrandOutcome {
     let before = scratch.before_step.get_or_insert_default();
     before.clone_from(one.state);
-    one.state.past.step = 0.0;
+    one.state.history.step = 0.0;
     let mut outcome = reference::take(setting, one, h, &mut scratch.one, &mut scratch.rule);
     if outcome.quarantined || !one.state.is_finite() {
         one.state.clone_from(before);

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::editing::Allowance;
+use superhelix::editing::PermittedOverlap;
 use superhelix::{
     BodyDef, BodyId, ContactModel, Frame, Shape, Solver, SolverOptions, StepReport, StrandContact, StrandDef, StrandId,
 };
@@ -101,8 +101,8 @@ fn permitted_roots_are_not_reported() {
         let contact = steps(&mut solver, 2)[1].contact;
         assert_eq!((contact.roots_inside, contact.unconverged), (0, 0), "{model:?}");
         let (mut solver, id, ..) = scene(model, -1e-3, 1.5, StrandContact::default());
-        let sunk = Allowance { along: vec![0.0, 0.01], wisp_shares: vec![1.0; 2], sunk: vec![2e-3; 2] };
-        solver.set_allowances(&[id], &[Some(sunk)]).unwrap();
+        let sunk = PermittedOverlap { along: vec![0.0, 0.01], wisp_shares: vec![1.0; 2], sunk: vec![2e-3; 2] };
+        solver.set_permitted_overlaps(&[id], &[Some(sunk)]).unwrap();
         assert_eq!(steps(&mut solver, 2)[1].contact.roots_inside, 0, "{model:?}");
     }
 }

@@ -9,7 +9,7 @@ use superhelix::internals::rod::kinematics::Kinematics;
 use superhelix::internals::rod::strand::StrandModel;
 use superhelix::internals::step;
 use superhelix::internals::step::members::One;
-use superhelix::internals::step::scratch::Scratch;
+use superhelix::internals::step::scratch::StepScratch;
 use superhelix::internals::step::state::{StrandState, rotation_matrix};
 use superhelix::internals::step::{Setting, Surroundings};
 use superhelix::{
@@ -50,7 +50,7 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
     let surroundings = Surroundings { gravity: Vector3::new(0.0, 0.0, -9.81).into(), wind: Vector3::zeros().into() };
     let options = options(tolerance);
     let setting = Setting { surroundings: &surroundings, options: &options, rules: &rules };
-    let mut scratch = Scratch::default();
+    let mut scratch = StepScratch::default();
     let mut kinematics = Kinematics::default();
     let (mut tips, mut iterations) = (Vec::new(), 0);
     let mut t = 0.0;

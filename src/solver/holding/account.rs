@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{Holding, Scene};
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::nearest_pair::depth;
 use crate::solver::bodies::{Contact, ContactPartner};
@@ -74,9 +74,9 @@ impl Holding {
         for constraint in scene.constraints.iter_mut() {
             constraint.begin_report();
         }
-        let place = |held: u32, station: &Station| {
+        let place = |held: u32, material_point: &MaterialPoint| {
             let strand = &self.strands[held as usize];
-            (scene.strands[strand.index as usize].id, strand.along(station))
+            (scene.strands[strand.index as usize].id, strand.along(material_point))
         };
         for island in islands.iter().filter(|island| !island.takes_parts) {
             contact.unconverged += u32::from(!island.ending.converged);
@@ -99,15 +99,15 @@ impl Holding {
                             continue;
                         }
                         contact.touches += 1;
-                        let (strand, arclength) = place(joint.first.held, &joint.first.station);
-                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                        let (strand, arclength) = place(joint.first.held, &joint.first.material_point);
+                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.material_point).now;
                         let most = self.most_force(joint, h) * if island.ending.converged { SOLVED } else { 1.0 };
                         let size = joint.force.norm();
                         let force = if size > most { joint.force * (most / size) } else { joint.force };
                         contact.capped += u32::from(size > most);
                         let (normal, partner) = match (joint.kind, joint.second) {
                             (JointKind::Hair { normal, .. }, Some(end)) => {
-                                let (strand, arclength) = place(end.held, &end.station);
+                                let (strand, arclength) = place(end.held, &end.material_point);
                                 (normal, ContactPartner::Strand { strand, arclength })
                             }
                             (JointKind::Body { body, feature, normal, point, .. }, _) => {

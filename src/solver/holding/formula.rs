@@ -28,14 +28,14 @@ impl Holding {
         let mut refreshed: Vec<&mut Island> = recycled(std::mem::take(at_work));
         refreshed.extend(islands.iter_mut().zip(&*asked).filter(|(_, asked)| **asked).map(|(island, _)| island));
         let meter = scene.meter;
-        scene.crew.for_each(&mut refreshed, |island, _| {
+        scene.workers.for_each(&mut refreshed, |island, _| {
             if !meter.is_halted() {
                 island.refresh(strands, scene.bodies);
             }
         });
         *at_work = recycled(refreshed);
         // (What it takes is counted when it would be due.)
-        meter.uncounted(|| packs.linearise(strands, islands, scene.crew, meter, |held| asked[held.island as usize]));
+        meter.uncounted(|| packs.linearise(strands, islands, scene.workers, meter, |held| asked[held.island as usize]));
         for held in strands.iter_mut().filter(|held| asked[held.island as usize]) {
             held.looked_ahead = true;
         }

@@ -12,10 +12,10 @@ use crate::memory::recycled;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::solver::strand::{Strand, root_after};
-use crate::solver::workers::Crew;
+use crate::solver::workers::WorkerSet;
 use crate::step::held::{Held, running};
 use crate::step::held_packs::AnyPack;
-use crate::step::members::{Kind, Members};
+use crate::step::members::{Pack, PackKey};
 use crate::step::state::StrandState;
 use crate::step::{Setting, packs};
 
@@ -28,7 +28,7 @@ pub(super) struct Packs {
     packs: Vec<AnyPack>,
     count: usize,
     /// Those that begin: by formula and kind, then by iterations; and their places among the held strands.
-    order: Vec<(bool, Kind, u32, u32)>,
+    order: Vec<(bool, PackKey, u32, u32)>,
     /// Memory of lists of packs at work.
     held_work: Vec<Work<'static, &'static mut HeldStrand>>,
     pair_work: Vec<Work<'static, Pair<'static>>>,
@@ -72,9 +72,9 @@ impl Packs {
         self.order.clear();
         for (place, (strand, held)) in super::Holding::pairs(scene.strands, held).enumerate() {
             if begins(held) {
-                strand.begin_root_way(h);
-                let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
-                self.order.push((held.first_order, kind, strand.fared.iterations, place as u32));
+                strand.begin_root_move(h);
+                let kind = PackKey::of(&strand.model, &strand.state, setting.options.integrator, h);
+                self.order.push((held.first_order, kind, strand.last.iterations, place as u32));
             }
         }
         self.order.sort_unstable();
@@ -90,7 +90,7 @@ impl Packs {
         self.packs.resize_with(self.packs.len().max(self.count), AnyPack::default);
         let pairs = super::Holding::pairs(scene.strands, held).filter(|(_, held)| begins(held));
         // (Constraints are told of with the paths of their strands, whatever halted the step.)
-        let (constrained, meter, crew) = (!scene.constraints.is_empty(), scene.meter, scene.crew);
+        let (constrained, meter, workers) = (!scene.constraints.is_empty(), scene.meter, scene.workers);
         let begin = |Work { pack, members }: &mut Work<Pair>| {
             if !constrained && meter.is_halted() {
                 return;
@@ -104,7 +104,7 @@ impl Packs {
             pack.begin(&Present(strands), setting, h, first_order, set, &mut lanes);
             members.iter_mut().flatten().for_each(|(_, held)| held.begun());
         };
-        self.with_pairs(pairs, |work| crew.for_each(work, |work, _| begin(work)));
+        self.with_pairs(pairs, |work| workers.for_each(work, |work, _| begin(work)));
     }
 
     /// The first half of an iteration of the strands whose islands are `asked`.
@@ -112,7 +112,7 @@ impl Packs {
         &mut self,
         strands: &mut [HeldStrand],
         islands: &[Island],
-        crew: &Crew,
+        workers: &WorkerSet,
         meter: &Meter,
         asked: impl Fn(&HeldStrand) -> bool + Sync,
     ) {
@@ -133,11 +133,18 @@ impl Packs {
             }
             pack.linearise(&mut lanes);
         };
-        self.with_held(strands, |work| crew.for_each(work, |work, _| linearise(work)));
+        self.with_held(strands, |work| workers.for_each(work, |work, _| linearise(work)));
     }
 
     /// The second half of the strands whose islands go on.
-    pub fn advance(&mut self, strands: &mut [HeldStrand], islands: &[Island], setting: &Setting, crew: &Crew, meter: &Meter) {
+    pub fn advance(
+        &mut self,
+        strands: &mut [HeldStrand],
+        islands: &[Island],
+        setting: &Setting,
+        workers: &WorkerSet,
+        meter: &Meter,
+    ) {
         let advance = |Work { pack, members }: &mut Work<&mut HeldStrand>| {
             let mut goes = [false; MOST];
             for (lane, held) in running(members) {
@@ -158,7 +165,7 @@ impl Packs {
             pack.advance(setting, &mut lanes);
             running(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, held)| held.advanced());
         };
-        self.with_held(strands, |work| crew.for_each(work, |work, _| advance(work)));
+        self.with_held(strands, |work| workers.for_each(work, |work, _| advance(work)));
     }
 
     /// The pack of a strand.
@@ -210,7 +217,7 @@ impl Present<'_> {
     }
 }
 
-impl Members for Present<'_> {
+impl Pack for Present<'_> {
     fn count(&self) -> usize {
         self.0.iter().rposition(Option::is_some).map_or(0, |last| last + 1)
     }

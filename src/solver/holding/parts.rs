@@ -10,7 +10,7 @@ use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::{FEW, Island};
 use crate::contact::touch::Partner;
 use crate::meter::Stopped;
-use crate::solver::deep_places::AsItIs;
+use crate::solver::deep_places::CurrentScene;
 use crate::solver::report::Wrench;
 use crate::solver::strand::{Holds, Strand, Tally};
 use crate::step::StrandOutcome;
@@ -125,7 +125,7 @@ impl Holding {
             }
         }
         for (held, outcome) in taking.iter().zip(&outcomes) {
-            scene.strands[self.strands[*held].index as usize].fared = outcome.into();
+            scene.strands[self.strands[*held].index as usize].last = outcome.into();
         }
         self.shorter = Some(shorter);
         Parts { told, wrenches, outcomes }
@@ -196,8 +196,8 @@ impl Holding {
             found.ok().filter(|place| asked(*place)).map(|place| held[place].island as usize)
         };
         let bodies: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.still(k as u32)).collect();
-        let Scene { ref strands, slots, ref constraints, crew, options, .. } = *scene;
-        let now = AsItIs { strands, slots, constraints, bodies: &bodies, hair: options.hair, crew };
+        let Scene { ref strands, slots, ref constraints, workers, options, .. } = *scene;
+        let now = CurrentScene { strands, slots, constraints, bodies: &bodies, hair: options.hair, workers };
         for deep in now.deep_places(|index| island(index).is_some()) {
             let (place, other) = match deep.partner {
                 // The root is where the host has put it.

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::bytes::{Reader, Writer, bad};
 use crate::error::Result;
-use crate::math::way::Way;
+use crate::math::pose_motion::PoseMotion;
 use crate::solver::constraints::{Constraint, ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, SlotMap, StrandId};
 use crate::solver::strand::Strand;
@@ -109,7 +109,8 @@ impl Reader<'_> {
         if compliance < 0.0 {
             return Err(bad(format!("a compliance is {compliance}")));
         }
-        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's motion")? };
+        let way =
+            PoseMotion { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's motion")? };
         let state = ConstraintState {
             force: self.vector()?,
             torque: self.vector()?,

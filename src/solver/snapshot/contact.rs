@@ -3,9 +3,9 @@
 use nalgebra::Matrix3;
 
 use super::bytes::{Reader, Writer, bad, of_part};
-use crate::contact::allowance::Allowance;
 use crate::contact::hair_pairs::PairMemory;
 use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::pieces::{Piece, Wisp};
 use crate::error::Result;
 use crate::solver::touching::{NearStrands, Remembered, TouchMemory, With};
@@ -48,9 +48,12 @@ impl Writer {
     }
 
     /// The permitted overlap of a strand.
-    pub fn allowance(&mut self, allowance: Option<&Allowance>) {
-        self.u64(allowance.map_or(0, |allowance| allowance.along.len() as u64));
-        for list in allowance.iter().flat_map(|allowance| [&allowance.along, &allowance.wisp_shares, &allowance.sunk]) {
+    pub fn permitted_overlap(&mut self, permitted_overlap: Option<&PermittedOverlap>) {
+        self.u64(permitted_overlap.map_or(0, |permitted_overlap| permitted_overlap.along.len() as u64));
+        for list in permitted_overlap
+            .iter()
+            .flat_map(|permitted_overlap| [&permitted_overlap.along, &permitted_overlap.wisp_shares, &permitted_overlap.sunk])
+        {
             list.iter().for_each(|x| self.f64(*x));
         }
     }
@@ -183,15 +186,15 @@ impl Reader<'_> {
     }
 
     /// The permitted overlap of a strand.
-    pub fn allowance(&mut self) -> Result<Option<Box<Allowance>>> {
+    pub fn permitted_overlap(&mut self) -> Result<Option<Box<PermittedOverlap>>> {
         let count = self.count(3 * 8)?;
         if count == 0 {
             return Ok(None);
         }
         let mut list = || (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>();
-        let allowance = Allowance { along: list()?, wisp_shares: list()?, sunk: list()? };
-        allowance.check("allowance").map_err(|error| of_part("a strand", &error))?;
-        Ok(Some(Box::new(allowance)))
+        let permitted_overlap = PermittedOverlap { along: list()?, wisp_shares: list()?, sunk: list()? };
+        permitted_overlap.check("permitted overlap").map_err(|error| of_part("a strand", &error))?;
+        Ok(Some(Box::new(permitted_overlap)))
     }
 
     /// Friction by direction.

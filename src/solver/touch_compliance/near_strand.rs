@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::search::{NearPlace, Search};
 use super::{BodyTouch, Places};
-use crate::chain::load::Station;
+use crate::chain::load::MaterialPoint;
 use crate::contact::body::BodyAt;
 use crate::contact::law::coefficient::Coefficient;
 use crate::contact::options::StrandContact;
@@ -13,7 +13,7 @@ use crate::contact::touch::StrandCurve;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::solver::bodies::ContactPartner;
-use crate::solver::constraints::{ConstraintStatus, station_at};
+use crate::solver::constraints::{ConstraintStatus, material_point_at};
 use crate::solver::strand::{Strand, root_after};
 use crate::step::Setting;
 use crate::step::held::Held;
@@ -33,7 +33,7 @@ const LINEAR: f64 = 0.01;
 /// A place where something acts on a strand.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HeldPlace {
-    station: Station,
+    material_point: MaterialPoint,
     along: f64,
     force: Vec3<f64>,
     /// The contact with one of the bodies, if it is one.
@@ -58,15 +58,15 @@ pub(super) struct Response {
     /// Its own copy of the strand's state, for the step that starts with it.
     state: StrandState,
     alone: Alone,
-    stations: Vec<Station>,
+    material_points: Vec<MaterialPoint>,
     forces: Vec<Vec3<f64>>,
 }
 
 impl Response {
     /// Reserves memory for this many places.
     fn make_room(&mut self, most: usize) {
-        self.stations.clear();
-        self.stations.reserve(most);
+        self.material_points.clear();
+        self.material_points.reserve(most);
         self.forces.clear();
         self.forces.reserve(most);
         self.alone.make_room(most);
@@ -91,7 +91,7 @@ impl NearStrand {
             return;
         }
         self.list_near(strand, contact, bodies, held);
-        let key = |place: &HeldPlace| (place.station.element, place.station.s);
+        let key = |place: &HeldPlace| (place.material_point.element, place.material_point.s);
         self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
     }
 
@@ -111,7 +111,7 @@ impl NearStrand {
 
     /// A place on it.
     fn place(&self, strand: &Strand, along: f64, force: Vector3<f64>) -> HeldPlace {
-        HeldPlace { station: station_at(&strand.model, along), along, force: force.into(), touch: None }
+        HeldPlace { material_point: material_point_at(&strand.model, along), along, force: force.into(), touch: None }
     }
 
     /// The length of the strand between two contacts with one body is divided equally between them.
@@ -132,17 +132,17 @@ impl NearStrand {
     /// Computes the response of its places.
     pub fn condense(&mut self, strand: &Strand, setting: &Setting, seconds: f64) {
         let Self { response, places, elements, .. } = self;
-        let Response { state, alone, stations, forces } = &mut **response.get_or_insert_default();
+        let Response { state, alone, material_points, forces } = &mut **response.get_or_insert_default();
         state.clone_from(&strand.state);
-        stations.clear();
-        stations.extend(places.iter().map(|place| place.station));
+        material_points.clear();
+        material_points.extend(places.iter().map(|place| place.material_point));
         forces.clear();
         forces.extend(places.iter().map(|place| place.force));
         let before = (strand.state.root.origin, &elements[..]);
         let start = state.root;
         let root_at = |elapsed: f64| root_after(&strand.root_move, &start, elapsed);
         alone.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
-        alone.linearise(stations, forces);
+        alone.linearise(material_points, forces);
         // (The first linear model has no tension.)
         for _ in 0..MAX_ITERATIONS {
             let farthest = (0..places.len()).map(|k| displacement(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
@@ -150,14 +150,14 @@ impl NearStrand {
                 break;
             }
             alone.advance(setting, forces);
-            alone.linearise(stations, forces);
+            alone.linearise(material_points, forces);
         }
         let (model, held) = (&strand.model, &alone.held);
         let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(touch) = &mut place.touch else { continue };
-            let moved =
-                Held::place(held.now(), &place.station) - Held::place(before, &place.station) + displacement(held, forces, k);
+            let moved = Held::place(held.now(), &place.material_point) - Held::place(before, &place.material_point)
+                + displacement(held, forces, k);
             (touch.moved, touch.most_force) = (moved, most_force);
         }
     }
@@ -197,7 +197,7 @@ impl NearStrand {
         let NearPlace { body, along, normal, gap } = *near;
         let mut place = self.place(strand, along, force);
         let curve = StrandCurve { origin: strand.state.root.origin, elements: &self.elements };
-        let (element, s) = (place.station.element, place.station.s);
+        let (element, s) = (place.material_point.element, place.material_point.s);
         let (friction, scale) = (contact.friction, bodies[body].friction);
         let (tangent, margin) = (curve.tangent(element, s), contact.radius + bodies[body].thickness);
         place.touch = Some(BodyTouch {

@@ -7,7 +7,7 @@ use super::rotation::{PoseMove, rotation_vector};
 
 /// A pose at rest or in motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Way {
+pub struct PoseMotion {
     /// The pose now.
     pub pose: Frame,
     /// The current move, and how many of its seconds have passed. Kept for one substep after its end, so that the next move
@@ -15,7 +15,7 @@ pub struct Way {
     pub going: Option<(PoseMove, f64)>,
 }
 
-impl Way {
+impl PoseMotion {
     /// At rest.
     pub fn at(pose: Frame) -> Self {
         Self { pose, going: None }

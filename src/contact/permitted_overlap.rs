@@ -14,12 +14,12 @@ use crate::error::{Error, Result, check_not_negative};
 /// solver.set_contact(&ids, Some(&StrandContact::default()))?;
 /// let overlap = solver.allow_overlaps(&ids)?[0];
 /// assert_eq!((overlap.bodies, overlap.hair), (0.0, 0.0)); // it overlaps nothing
-/// let kept = solver.allowance(ids[0])?.cloned();
-/// solver.set_allowances(&ids, &[kept])?;
+/// let kept = solver.permitted_overlap(ids[0])?.cloned();
+/// solver.set_permitted_overlaps(&ids, &[kept])?;
 /// # Ok::<(), superhelix::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Allowance {
+pub struct PermittedOverlap {
     /// Arclength of the stations from the root, m, rising; the first zero or above. At least one.
     pub along: Vec<f64>,
     /// What is left of the wisp's radius at each station, 0 to 1.
@@ -28,7 +28,7 @@ pub struct Allowance {
     pub sunk: Vec<f64>,
 }
 
-impl Allowance {
+impl PermittedOverlap {
     /// Checks the lists; `name` goes before theirs in the error.
     ///
     /// # Errors
@@ -67,14 +67,14 @@ impl Allowance {
         self.between(&self.sunk, along)
     }
 
-    /// The least of [`Allowance::sunk`] between two arclengths (m), m.
+    /// The least of [`PermittedOverlap::sunk`] between two arclengths (m), m.
     pub fn least_sunk(&self, from: f64, to: f64) -> f64 {
         let between = self.along.iter().zip(&self.sunk).filter(|(along, _)| (from..=to).contains(*along));
         between.map(|(_, sunk)| *sunk).fold(self.sunk(from).min(self.sunk(to)), f64::min)
     }
 
     fn between(&self, values: &[f64], along: f64) -> f64 {
-        let next = self.along.partition_point(|station| *station <= along).clamp(1, self.along.len().max(2) - 1);
+        let next = self.along.partition_point(|material_point| *material_point <= along).clamp(1, self.along.len().max(2) - 1);
         let (Some(a), Some(b)) = (self.along.get(next - 1), self.along.get(next)) else { return values[0] };
         let t = ((along - a) / (b - a)).clamp(0.0, 1.0);
         values[next - 1] + t * (values[next] - values[next - 1])
@@ -92,9 +92,9 @@ mod tests {
 
     #[test]
     fn it_is_linear_between_stations_and_constant_beyond() {
-        let allowance =
-            Allowance { along: vec![0.01, 0.02, 0.04], wisp_shares: vec![1.0, 0.5, 0.0], sunk: vec![0.0, 0.002, 0.001] };
-        allowance.check("a").unwrap();
+        let permitted_overlap =
+            PermittedOverlap { along: vec![0.01, 0.02, 0.04], wisp_shares: vec![1.0, 0.5, 0.0], sunk: vec![0.0, 0.002, 0.001] };
+        permitted_overlap.check("a").unwrap();
         for (along, share, sunk) in [
             (0.0, 1.0, 0.0),
             (0.015, 0.75, 0.001),
@@ -103,27 +103,27 @@ mod tests {
             (0.04, 0.0, 0.001),
             (1.0, 0.0, 0.001),
         ] {
-            assert!((allowance.wisp_share(along) - share).abs() < 1e-12, "{along}");
-            assert!((allowance.sunk(along) - sunk).abs() < 1e-12, "{along}");
+            assert!((permitted_overlap.wisp_share(along) - share).abs() < 1e-12, "{along}");
+            assert!((permitted_overlap.sunk(along) - sunk).abs() < 1e-12, "{along}");
         }
-        let one = Allowance { along: vec![0.01], wisp_shares: vec![0.3], sunk: vec![0.1] };
+        let one = PermittedOverlap { along: vec![0.01], wisp_shares: vec![0.3], sunk: vec![0.1] };
         one.check("a").unwrap();
         assert_eq!([0.0, 0.01, 0.5].map(|along| one.wisp_share(along)), [0.3; 3]);
     }
 
     #[test]
     fn bad_lists_are_named() {
-        let good = Allowance { along: vec![0.0, 0.1], wisp_shares: vec![1.0, 0.5], sunk: vec![0.0, 0.1] };
+        let good = PermittedOverlap { along: vec![0.0, 0.1], wisp_shares: vec![1.0, 0.5], sunk: vec![0.0, 0.1] };
         for (bad, named) in [
-            (Allowance::default(), "a.along (count)"),
-            (Allowance { sunk: vec![0.0], ..good.clone() }, "a.sunk (count)"),
-            (Allowance { wisp_shares: vec![0.0; 3], ..good.clone() }, "a.wisp_shares (count)"),
-            (Allowance { along: vec![0.0, 0.0], ..good.clone() }, "a.along[1]"),
-            (Allowance { along: vec![-1.0, 0.0], ..good.clone() }, "a.along[0]"),
-            (Allowance { along: vec![0.0, f64::NAN], ..good.clone() }, "a.along[1]"),
-            (Allowance { wisp_shares: vec![0.0, 1.1], ..good.clone() }, "a.wisp_shares[1]"),
-            (Allowance { wisp_shares: vec![f64::NAN, 1.0], ..good.clone() }, "a.wisp_shares[0]"),
-            (Allowance { sunk: vec![0.0, -0.1], ..good.clone() }, "a.sunk[1]"),
+            (PermittedOverlap::default(), "a.along (count)"),
+            (PermittedOverlap { sunk: vec![0.0], ..good.clone() }, "a.sunk (count)"),
+            (PermittedOverlap { wisp_shares: vec![0.0; 3], ..good.clone() }, "a.wisp_shares (count)"),
+            (PermittedOverlap { along: vec![0.0, 0.0], ..good.clone() }, "a.along[1]"),
+            (PermittedOverlap { along: vec![-1.0, 0.0], ..good.clone() }, "a.along[0]"),
+            (PermittedOverlap { along: vec![0.0, f64::NAN], ..good.clone() }, "a.along[1]"),
+            (PermittedOverlap { wisp_shares: vec![0.0, 1.1], ..good.clone() }, "a.wisp_shares[1]"),
+            (PermittedOverlap { wisp_shares: vec![f64::NAN, 1.0], ..good.clone() }, "a.wisp_shares[0]"),
+            (PermittedOverlap { sunk: vec![0.0, -0.1], ..good.clone() }, "a.sunk[1]"),
         ] {
             let error = bad.check("a").unwrap_err().to_string();
             assert!(error.contains(named), "{error}");

@@ -29,22 +29,22 @@ const MAX_HALVINGS: u32 = 20;
 
 /// The record of a strand that is not where a substep would have brought it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Astray {
+pub(super) struct Divergence {
     /// The bodies' poses for the strand at the start of the next substep: their poses at its last good substep as seen from its
     /// root or, if that jumped, the poses to which they jump. One per body; empty for their true poses.
     pub bodies: Vec<Frame>,
-    pub state: Whereabouts,
+    pub state: DivergenceState,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Whereabouts {
+pub(super) enum DivergenceState {
     /// The last substeps carried it along, for this many seconds without a break, and bodies follow for it.
     Carried { seconds: f64 },
     /// It converged, but inside a body or behind one, for this many seconds without a break: in the next substep it meets
     /// everything that passed it.
     Behind { seconds: f64 },
     /// The last substeps rolled it back, for this many seconds without a break.
-    Lost { seconds: f64 },
+    RolledBack { seconds: f64 },
     /// It has been returning from this shape to its natural one for this many seconds, without contact.
     Returning { seconds: f64, from: Box<[[f64; 3]]> },
 }
@@ -52,11 +52,11 @@ pub(super) enum Whereabouts {
 impl Strand {
     /// The bodies' poses for it at the start of the next substep, if not their true ones.
     pub fn bodies_from(&self) -> &[Frame] {
-        self.astray.as_deref().map_or(&[], |astray| &astray.bodies)
+        self.divergence.as_deref().map_or(&[], |divergence| &divergence.bodies)
     }
 
     /// The bodies' motions for it in the next substep of `h` seconds, if not their true ones. Its root's motion has begun.
-    pub fn ways_of_bodies(&self, h: f64, bodies: &[BodyAt], ways: &mut Vec<[Frame; 2]>) {
+    pub fn body_motions(&self, h: f64, bodies: &[BodyAt], ways: &mut Vec<[Frame; 2]>) {
         ways.clear();
         let from = self.bodies_from();
         if from.len() != bodies.len() {
@@ -76,13 +76,13 @@ impl Strand {
     }
 
     /// It converged in a substep in which bodies followed this far for it, and not to their true poses.
-    pub fn goes_after(&mut self, came_to: Vec<Frame>) {
-        self.astray = Some(Box::new(Astray { bodies: came_to, state: Whereabouts::Carried { seconds: 0.0 } }));
+    pub fn bodies_follow(&mut self, came_to: Vec<Frame>) {
+        self.divergence = Some(Box::new(Divergence { bodies: came_to, state: DivergenceState::Carried { seconds: 0.0 } }));
     }
 
     /// Whether the last substep carried it along: bodies follow for it.
     pub fn is_carried(&self) -> bool {
-        matches!(self.astray.as_deref(), Some(Astray { state: Whereabouts::Carried { .. }, .. }))
+        matches!(self.divergence.as_deref(), Some(Divergence { state: DivergenceState::Carried { .. }, .. }))
     }
 
     /// Whether it is outside the scene: it is returning, or frozen.
@@ -92,26 +92,26 @@ impl Strand {
 
     /// Whether it is returning, and outside the scene until it has arrived.
     pub fn is_returning(&self) -> bool {
-        self.astray.as_deref().is_some_and(|astray| matches!(astray.state, Whereabouts::Returning { .. }))
+        self.divergence.as_deref().is_some_and(|divergence| matches!(divergence.state, DivergenceState::Returning { .. }))
     }
 
     /// Its root jumps to a pose at once. The caller then sets `bodies`.
     pub fn jump_to(&mut self, root: Frame) {
         self.state.teleport(root);
         self.root_move = None;
-        self.astray = Some(Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
+        self.divergence = Some(Box::new(Divergence { bodies: Vec::new(), state: DivergenceState::Carried { seconds: 0.0 } }));
     }
 
     /// Takes it through a substep of `h` seconds with its root, its shape kept, without any other work. `bodies`: those that it
     /// did not meet. Its velocities turn along.
     pub fn go_with_root(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
-        self.begin_root_way(h);
-        let seconds = self.astray_for() + h;
-        self.move_with_root(h, bodies, Whereabouts::Carried { seconds });
+        self.begin_root_move(h);
+        let seconds = self.diverged_for() + h;
+        self.move_with_root(h, bodies, DivergenceState::Carried { seconds });
         self.drop_unreachable_bodies(seconds);
         self.advance_root(h);
         let outcome = StrandOutcome { converged: false, left: true, energies: self.energies, ..StrandOutcome::default() };
-        self.fared = (&outcome).into();
+        self.last = (&outcome).into();
         outcome
     }
 
@@ -125,34 +125,34 @@ impl Strand {
     }
 
     /// It converged in a substep of `h` seconds, but inside a body or behind one: later substeps must see what passed it.
-    /// `before`: its root at the start of the substep; `astray`: its record then.
-    pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], astray: Option<Box<Astray>>) {
-        self.astray = astray;
-        let (to, seconds) = (self.state.root, self.astray_for() + h);
-        let astray = self.start_divergence(bodies, Whereabouts::Behind { seconds });
-        take_along(&mut astray.bodies, before, &to);
+    /// `before`: its root at the start of the substep; `divergence`: its record then.
+    pub fn record_passed_bodies(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], divergence: Option<Box<Divergence>>) {
+        self.divergence = divergence;
+        let (to, seconds) = (self.state.root, self.diverged_for() + h);
+        let divergence = self.start_divergence(bodies, DivergenceState::Behind { seconds });
+        take_along(&mut divergence.bodies, before, &to);
         self.drop_unreachable_bodies(seconds);
     }
 
-    fn start_divergence(&mut self, bodies: &[BodyAt], state: Whereabouts) -> &mut Astray {
+    fn start_divergence(&mut self, bodies: &[BodyAt], state: DivergenceState) -> &mut Divergence {
         let meets = self.contact.is_some();
-        let astray = self.astray.get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: state.clone() }));
-        astray.state = state;
-        if meets && astray.bodies.len() != bodies.len() {
-            astray.bodies = bodies.iter().map(|body| body.start).collect();
+        let divergence = self.divergence.get_or_insert_with(|| Box::new(Divergence { bodies: Vec::new(), state: state.clone() }));
+        divergence.state = state;
+        if meets && divergence.bodies.len() != bodies.len() {
+            divergence.bodies = bodies.iter().map(|body| body.start).collect();
         }
-        astray
+        divergence
     }
 
     fn carried_for(&self) -> f64 {
-        if self.is_carried() { self.astray_for() } else { 0.0 }
+        if self.is_carried() { self.diverged_for() } else { 0.0 }
     }
 
     /// The time without a break for which it has diverged, s.
-    fn astray_for(&self) -> f64 {
-        use Whereabouts::{Behind, Carried, Lost, Returning};
-        match self.astray.as_deref().map(|astray| &astray.state) {
-            Some(Carried { seconds } | Behind { seconds } | Lost { seconds }) => *seconds,
+    fn diverged_for(&self) -> f64 {
+        use DivergenceState::{Behind, Carried, Returning, RolledBack};
+        match self.divergence.as_deref().map(|divergence| &divergence.state) {
+            Some(Carried { seconds } | Behind { seconds } | RolledBack { seconds }) => *seconds,
             Some(Returning { .. }) | None => 0.0,
         }
     }
@@ -160,28 +160,32 @@ impl Strand {
     /// A body that passed it long ago may be at a place that it can never reach.
     fn drop_unreachable_bodies(&mut self, seconds: f64) {
         if seconds >= LOST_FOR * (1.0 - 1e-12) {
-            self.astray = None;
+            self.divergence = None;
         }
     }
 
     /// A substep of `h` seconds rolled it back: it moves with its root, and after a while it is brought back.
     pub fn roll_back(&mut self, h: f64, bodies: &[BodyAt]) {
-        let seconds = self.astray_for() + h;
+        let seconds = self.diverged_for() + h;
         let returns = seconds >= LOST_FOR * (1.0 - 1e-12);
         let from = || self.state.curvatures.clone().into_boxed_slice();
-        let state = if returns { Whereabouts::Returning { seconds: 0.0, from: from() } } else { Whereabouts::Lost { seconds } };
+        let state = if returns {
+            DivergenceState::Returning { seconds: 0.0, from: from() }
+        } else {
+            DivergenceState::RolledBack { seconds }
+        };
         self.move_with_root(h, bodies, state);
     }
 
     /// It converged in a substep.
     pub fn clear_divergence(&mut self) {
-        self.astray = None;
+        self.divergence = None;
     }
 
-    fn move_with_root(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
+    fn move_with_root(&mut self, h: f64, bodies: &[BodyAt], state: DivergenceState) {
         let [from, to] = self.root_during(h);
-        let astray = self.start_divergence(bodies, state);
-        take_along(&mut astray.bodies, &from, &to);
+        let divergence = self.start_divergence(bodies, state);
+        take_along(&mut divergence.bodies, &from, &to);
         self.state.teleport(to);
     }
 
@@ -196,10 +200,10 @@ impl Strand {
 
     /// A substep of `h` seconds of its return: from shape to shape, with its root.
     pub fn step_home(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
-        self.begin_root_way(h);
+        self.begin_root_move(h);
         let [from_root, to] = self.root_during(h);
         let outcome = StrandOutcome { converged: false, quarantined: true, energies: self.energies, ..StrandOutcome::default() };
-        let Some(Astray { state: Whereabouts::Returning { seconds, from }, .. }) = self.astray.as_deref_mut() else {
+        let Some(Divergence { state: DivergenceState::Returning { seconds, from }, .. }) = self.divergence.as_deref_mut() else {
             return outcome;
         };
         *seconds += h;
@@ -213,9 +217,9 @@ impl Strand {
         self.set_rigid_velocities(&from_root, h, rules);
         (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
         self.advance_root(h);
-        self.fared = (&outcome).into();
+        self.last = (&outcome).into();
         if is_back {
-            self.astray = None;
+            self.divergence = None;
         }
         outcome
     }
