@@ -271,7 +271,7 @@ impl Scene {
             let report = self.solver.step(self.step, 1).unwrap();
             tally.steps += 1;
             tally.unconverged += u64::from(report.contact.unconverged > 0);
-            tally.touched += u64::from(report.contact.touches > 0);
+            tally.touched += u64::from(report.contact.contacts > 0);
             self.count_lost(&report, tally);
             tally.large += u64::from(self.many && largest_island(&self.solver, &self.strands) > FEW);
             assert!(report.energies.kinetic.is_finite() && report.energies.elastic.is_finite(), "{name} step {step}");

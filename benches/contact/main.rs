@@ -100,7 +100,7 @@ struct Shaken {
     milliseconds: Vec<f64>,
     /// For a mean step: search, steps of strands, contact problems, s.
     phases: [f64; 3],
-    touches: f64,
+    contacts: f64,
     iterations: f64,
     most_iterations: u32,
     sweeps: f64,
@@ -132,7 +132,7 @@ fn shake(
         model: name,
         milliseconds: Vec::new(),
         phases: [0.0; 3],
-        touches: 0.0,
+        contacts: 0.0,
         iterations: 0.0,
         most_iterations: 0,
         sweeps: 0.0,
@@ -163,7 +163,7 @@ fn shake(
         for (sum, seconds) in out.phases.iter_mut().zip([search, strands, contact]) {
             *sum += seconds / steps as f64;
         }
-        out.touches += f64::from(report.contact.touches) / steps as f64;
+        out.contacts += f64::from(report.contact.contacts) / steps as f64;
         out.iterations += report.mean_iterations / steps as f64;
         out.most_iterations = out.most_iterations.max(report.contact.iterations);
         out.sweeps += report.contact.sweeps as f64 / steps as f64;
@@ -226,7 +226,7 @@ fn main() -> Outcome<()> {
             1e3 * out.phases[0],
             1e3 * out.phases[1],
             1e3 * out.phases[2],
-            out.touches,
+            out.contacts,
             out.iterations,
             out.most_iterations,
             out.sweeps,

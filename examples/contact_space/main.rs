@@ -20,14 +20,14 @@ fn main() {
     for (name, kind) in kinds {
         let (mut space, next) = build(&kind);
         let mut solver = GaussSeidel::default();
-        let mut forces = vec![Vector3::zeros(); space.touches().len()];
+        let mut forces = vec![Vector3::zeros(); space.constraints().len()];
         let start = Instant::now();
         solver.system.prepare(&space);
         let prepared = start.elapsed().as_secs_f64();
         for (stage, warm) in [("cold", false), ("warm", true)] {
             if warm {
-                for (touch, free) in next.iter().enumerate() {
-                    space.set_free(touch, *free).unwrap();
+                for (constraint, unconstrained) in next.iter().enumerate() {
+                    space.set_unconstrained(constraint, *unconstrained).unwrap();
                 }
             }
             let begin = forces.clone();

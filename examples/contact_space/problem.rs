@@ -7,7 +7,7 @@ use superhelix::internals::chain::delassus::Delassus;
 use superhelix::internals::chain::elimination::Elimination;
 use superhelix::internals::chain::load::{Load, MaterialPoint};
 use superhelix::internals::chain::system::ChainSystem;
-use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceTouch};
+use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceConstraint};
 use superhelix::internals::contact::law::Law;
 use superhelix::internals::contact::law::coefficient::Coefficient;
 use superhelix::internals::contact::law::contact::{Contact, Friction};
@@ -189,7 +189,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
             }
         };
         let gap = numbers.within(-2e-4, 5e-4);
-        let free = |sway| {
+        let unconstrained = |sway| {
             let mut u = way(*first, sway) + normal * gap;
             if let Some(second) = second {
                 u -= way(*second, sway);
@@ -199,9 +199,14 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         };
         let end = |(strand, point): (usize, usize)| End { strand: strand as u32, point: point as u32 };
         let law = Law::Contact(Contact { normal, response: Response::Hard, friction: Friction::Coulomb(mu) });
-        let touch = SpaceTouch { first: end(*first), second: second.map(end), law, free: free(Vector3::new(0.01, 0.004, 0.0)) };
-        space.add_touch(touch).unwrap();
-        next.push(free(Vector3::new(0.0105, 0.0043, 0.0)));
+        let constraint = SpaceConstraint {
+            first: end(*first),
+            second: second.map(end),
+            law,
+            unconstrained: unconstrained(Vector3::new(0.01, 0.004, 0.0)),
+        };
+        space.add_constraint(constraint).unwrap();
+        next.push(unconstrained(Vector3::new(0.0105, 0.0043, 0.0)));
     }
     (space, next)
 }

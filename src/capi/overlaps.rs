@@ -11,7 +11,7 @@ use crate::solver::Overlap;
 use crate::solver::id::StrandId;
 
 /// The names of a permitted overlap's lists, and those of the calls' arguments.
-const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wisp_fractions"), ("sunk", "body_depths")];
+const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_fractions", "wisp_fractions"), ("sunk", "body_depths")];
 
 /// Computes how deep count strands currently overlap other strands (if hair_contact is set) and bodies, beyond
 /// their permitted overlap. Strands without contact overlap nothing; exempt lengths and filtered pairs do not
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn shx_solver_set_permitted_overlap(
             let list = |name, pointer| array::<f64>(name, "count", pointer, count).map(<[f64]>::to_vec);
             let permitted = PermittedOverlap {
                 along: list("arclengths", arclengths)?,
-                wisp_shares: list("wisp_fractions", wisp_fractions)?,
+                wisp_fractions: list("wisp_fractions", wisp_fractions)?,
                 sunk: list("body_depths", body_depths)?,
             };
             let permitted = (count > 0).then_some(permitted);
@@ -128,11 +128,11 @@ pub unsafe extern "C" fn shx_solver_get_permitted_overlap(
     unsafe {
         read("shx_solver_get_permitted_overlap", solver, |core| {
             let along = OutputList::optional("out_arclengths", "capacity", out_arclengths, capacity)?;
-            let wisp_shares = OutputList::optional("out_wisp_fractions", "capacity", out_wisp_fractions, capacity)?;
+            let wisp_fractions = OutputList::optional("out_wisp_fractions", "capacity", out_wisp_fractions, capacity)?;
             let sunk = OutputList::optional("out_body_depths", "capacity", out_body_depths, capacity)?;
             let count = OutputValue::new("out_count", out_count)?;
             let permitted = core.permitted_overlap(StrandId::from_bits(id.bits))?.cloned().unwrap_or_default();
-            let lists = [(along, &permitted.along), (wisp_shares, &permitted.wisp_shares), (sunk, &permitted.sunk)];
+            let lists = [(along, &permitted.along), (wisp_fractions, &permitted.wisp_fractions), (sunk, &permitted.sunk)];
             for (places, values) in &lists {
                 places.as_ref().map_or(Ok(()), |places| places.check_room(values.len()))?;
             }

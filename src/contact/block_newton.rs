@@ -20,7 +20,7 @@ use crate::meter::Meter;
 const DAMPING: f64 = 1e-4;
 const LEAST_DAMPING: f64 = 1e-9;
 /// Most Newton iterations of one visit to a block.
-const MOST: u32 = 30;
+const MAX_ITERATIONS: u32 = 30;
 /// So many of Newton's first steps are taken whole: a step that leaves some laws worse finds which touches press. The best point is kept.
 const FREE: u32 = 12;
 /// What has not halved its residual in so many steps is left: constraints that touches contradict make problems without solution. (But not
@@ -46,7 +46,7 @@ pub(super) struct Goal {
     /// this part of the present one, or
     pub part: f64,
     /// until this is spent, nanoseconds or so.
-    pub most_work: u64,
+    pub max_work: u64,
 }
 
 /// The solver's memory.
@@ -89,7 +89,7 @@ impl BlockNewton {
         goal: Goal,
         meter: &Meter,
     ) {
-        let Goal { tolerance, part, most_work } = goal;
+        let Goal { tolerance, part, max_work } = goal;
         self.begin(system, forces, rows);
         self.work = WORK_A_ROW * rows.len() as u64;
         let mut worst = self.residual(space, system, report);
@@ -107,16 +107,16 @@ impl BlockNewton {
         let mut halved = (worst, 0);
         let until = match () {
             () if m > LARGE => 0,
-            () if system.bonds.are_there() => MOST,
+            () if system.bilateral.are_there() => MAX_ITERATIONS,
             () if part > 0.0 => FREE,
             () => FREE + STEPS,
         };
         let mut merit = linearise(space, system, &self.rows, &self.forces, &self.moved, &mut self.linear);
-        for k in 0..MOST {
+        for k in 0..MAX_ITERATIONS {
             let rows = m as u64;
             let active = self.linear.iter().filter(|linear| linear.by_displacement != Matrix3::zeros()).count() as u64;
             let next = (3 * active).pow(3) / (3 * MULTIPLICATIONS) + WORK_A_BLOCK * active * rows + WORK_A_ROW * rows;
-            if self.work + next > most_work || meter.is_halted() {
+            if self.work + next > max_work || meter.is_halted() {
                 break;
             }
             self.work += next;
@@ -170,8 +170,8 @@ impl BlockNewton {
     fn residual(&self, space: &ContactSpace, system: &System, report: &Report) -> f64 {
         let mut worst = 0.0_f64;
         for ((row, force), u) in self.rows.iter().zip(&self.forces).zip(&self.moved) {
-            let law = &space.touches()[system.rows[*row as usize].touch].law;
-            worst = worst.max(report.miss(law, *u, *force, space.step()));
+            let law = &space.constraints()[system.rows[*row as usize].constraint].law;
+            worst = worst.max(report.law_residual(law, *u, *force, space.step()));
         }
         worst
     }
@@ -208,9 +208,9 @@ impl BlockNewton {
         for i in 0..m {
             if self.linear[i].by_displacement != Matrix3::zeros() {
                 self.active.push(i);
-            } else if self.linear[i].miss != Vector3::zeros() {
+            } else if self.linear[i].residual != Vector3::zeros() {
                 // Without by_displacement the law is λ = 0.
-                self.direction[i] = -self.linear[i].miss;
+                self.direction[i] = -self.linear[i].residual;
             }
         }
         for j in 0..m {
@@ -227,8 +227,8 @@ impl BlockNewton {
             self.need(space, system, self.active[a]);
         }
         for (a, i) in self.active.iter().enumerate() {
-            let Linear { miss, by_force, by_displacement } = &self.linear[*i];
-            let rhs = -(miss + by_displacement * self.carried[*i]);
+            let Linear { residual, by_force, by_displacement } = &self.linear[*i];
+            let rhs = -(residual + by_displacement * self.carried[*i]);
             self.rhs.extend_from_slice(rhs.as_slice());
             for (b, j) in self.active.iter().enumerate() {
                 let mut k = self.block(*i, *j);
@@ -324,8 +324,8 @@ fn linearise(
     let mut sum = 0.0;
     for ((row, force), u) in rows.iter().zip(forces).zip(moved) {
         let row = &system.rows[*row as usize];
-        let linear = space.touches()[row.touch].law.linearise(u, force, &row.response, space.step());
-        sum += linear.miss.norm_squared();
+        let linear = space.constraints()[row.constraint].law.linearise(u, force, &row.response, space.step());
+        sum += linear.residual.norm_squared();
         out.push(linear);
     }
     sum

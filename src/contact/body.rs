@@ -59,7 +59,7 @@ impl BodyDef {
 pub struct Body {
     def: BodyDef,
     /// Where it is going; its pose is the one told in `def`.
-    pub(crate) way: PoseMotion,
+    pub(crate) motion: PoseMotion,
     pub(crate) bending: Option<Box<Bending>>,
 }
 
@@ -82,7 +82,7 @@ impl Body {
         check_not_negative(|| "friction".into(), def.friction)?;
         check_not_negative(|| "viscous_friction".into(), def.viscous_friction)?;
         check_pose("pose", &def.pose)?;
-        Ok(Self { way: PoseMotion::at(def.pose), def, bending: None })
+        Ok(Self { motion: PoseMotion::at(def.pose), def, bending: None })
     }
 
     /// What it is made of; the pose is the present one.
@@ -119,7 +119,7 @@ impl Body {
     pub fn move_to(&mut self, pose: Frame, duration: f64) -> Result<()> {
         check_pose("pose", &pose)?;
         check_not_negative(|| "duration".into(), duration)?;
-        self.way.send(pose, duration);
+        self.motion.send(pose, duration);
         Ok(())
     }
 
@@ -130,7 +130,7 @@ impl Body {
     pub fn place(&mut self, pose: Frame) -> Result<()> {
         check_pose("pose", &pose)?;
         self.def.pose = pose;
-        self.way = PoseMotion::at(pose);
+        self.motion = PoseMotion::at(pose);
         Ok(())
     }
 
@@ -166,7 +166,7 @@ impl Body {
 
     /// Lets a way that is to be gone at once take the coming `h` seconds.
     pub(crate) fn ready(&mut self, h: f64) {
-        self.way.begin(h);
+        self.motion.begin(h);
         if let Some(bending) = self.bending.as_deref_mut().filter(|bending| bending.duration == 0.0) {
             bending.duration = h;
         }
@@ -174,7 +174,7 @@ impl Body {
 
     /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
     pub fn begin(&mut self, h: f64) {
-        self.way.begin(h);
+        self.motion.begin(h);
         let Some(bending) = &mut self.bending else {
             // A shape shared with a body that deforms, as it was in the middle of its way.
             self.rest();
@@ -201,7 +201,7 @@ impl Body {
             viscous_friction,
             group,
             mask,
-            ..BodyAt::new(index, &self.def.shape, self.way.pose, self.way.after(h), self.def.thickness)
+            ..BodyAt::new(index, &self.def.shape, self.motion.pose, self.motion.after(h), self.def.thickness)
         }
     }
 
@@ -243,8 +243,8 @@ impl Body {
 
     /// Counts the `h` seconds of a substep.
     pub fn finish(&mut self, h: f64) {
-        self.way.advance(h);
-        self.def.pose = self.way.pose;
+        self.motion.advance(h);
+        self.def.pose = self.motion.pose;
         if let Some(bending) = &mut self.bending {
             bending.elapsed += h;
             if bending.elapsed >= bending.duration * (1.0 - 1e-12) {
@@ -343,7 +343,7 @@ impl<'a> BodyAt<'a> {
     }
 
     /// The same going from and to other poses.
-    pub fn on_way(&self, [start, end]: [Frame; 2]) -> Self {
+    pub fn with_motion(&self, [start, end]: [Frame; 2]) -> Self {
         let Self { friction, viscous_friction, group, mask, .. } = *self;
         Self { friction, viscous_friction, group, mask, ..Self::new(self.index, self.shape, start, end, self.thickness) }
     }

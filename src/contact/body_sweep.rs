@@ -82,14 +82,14 @@ fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Op
         }
         let latest = earliest.map_or(1.0, |earliest| earliest.time);
         let hit = first_hit(chord, level, latest, |point, time| {
-            let way = if mesh.is_moving() {
+            let offset = if mesh.is_moving() {
                 let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + travel[corner] * time);
                 Mesh::closest_on(&corners, point).1
             } else {
-                triangle.way_to(point)
+                triangle.offset_to(point)
             };
-            let distance = way.norm();
-            let normal = if distance > 0.0 { way / distance } else { *triangle.normal() };
+            let distance = offset.norm();
+            let normal = if distance > 0.0 { offset / distance } else { *triangle.normal() };
             let coming = if mesh.is_moving() {
                 travel.iter().map(|travel| travel.dot(&normal)).fold(f64::NEG_INFINITY, f64::max)
             } else {

@@ -10,11 +10,11 @@ use nalgebra::Vector3;
 use super::shape::Bounds;
 
 /// Cells along an axis, at most (their numbers are packed into one word).
-const MOST_CELLS: f64 = 1_000_000.0;
+const MAX_CELLS: f64 = 1_000_000.0;
 /// A cell's side over the mean of the boxes' longest sides. On a fitted groom 0.7, 1, 2 take 1.3, 1.2 and 1.1 times as long.
 const CELL: f64 = 1.5;
 /// Cells a box is in, on average, at most: few boxes of many sizes would fill memory with the small ones' cells.
-const MOST_ENTRIES: f64 = 24.0;
+const MAX_ENTRIES: f64 = 24.0;
 
 #[derive(Debug, Clone, Copy, Default)]
 struct Entry {
@@ -54,8 +54,8 @@ impl Grid {
         if count < 2.0 {
             return 0;
         }
-        let mut side = (CELL * sides / count).max((high - low).max() / MOST_CELLS).max(f64::MIN_POSITIVE);
-        while self.number(boxes, &low, side) > MOST_ENTRIES * count {
+        let mut side = (CELL * sides / count).max((high - low).max() / MAX_CELLS).max(f64::MIN_POSITIVE);
+        while self.number(boxes, &low, side) > MAX_ENTRIES * count {
             side *= 1.5;
         }
 

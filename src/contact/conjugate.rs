@@ -7,9 +7,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
 use nalgebra::Vector3;
 
-use super::bonds::Bonds;
+use super::bilateral_elimination::BilateralElimination;
 use super::contact_space::ContactSpace;
-use super::parts::{levels, lowest_of};
+use super::subdomains::{levels, lowest_of};
 use super::system::{Displacements, Row, Stretch, System};
 use crate::math::lane::{Kernel, Lane};
 use crate::meter::Meter;
@@ -99,31 +99,31 @@ impl Conjugate {
         workers: &WorkerSet<S>,
         meter: &Meter,
     ) {
-        let System { rows, displacements, bonds, .. } = system;
-        let (parts, bonds) = (space.parts(), &*bonds);
+        let System { rows, displacements, bilateral, .. } = system;
+        let (subdomains, bilateral) = (space.subdomains(), &*bilateral);
         let all = [displacements.len(), rows.len()];
         let mut from = 0;
-        let coordinates = self.displacements.shares(displacements, || parts.coordinate_ends(all[0]));
+        let coordinates = self.displacements.fractions(displacements, || subdomains.coordinate_ends(all[0]));
         let coordinates = coordinates.map(|displacements| {
             let end = from + displacements.now.len();
             Mutex::new(Coordinates { from: std::mem::replace(&mut from, end), displacements })
         });
         let coordinates: Vec<_> = coordinates.collect();
-        let forces = self.forces.shares(forces, || parts.touch_ends(all[1]));
-        let touches = split(rows, parts.touch_ends(all[1])).zip(forces);
-        let touches: Vec<_> = touches.map(|(rows, forces)| Mutex::new(Touches { rows, forces, square: 0.0 })).collect();
+        let forces = self.forces.fractions(forces, || subdomains.constraint_ends(all[1]));
+        let constraints = split(rows, subdomains.constraint_ends(all[1])).zip(forces);
+        let constraints: Vec<_> = constraints.map(|(rows, forces)| Mutex::new(Touches { rows, forces, square: 0.0 })).collect();
 
         let turn = RwLock::new(Turn { level: 0, first: 0, after: AfterSweep::Nothing, kept: true });
         let sweep = |k: usize| {
             let turn = *turn.read().unwrap_or_else(PoisonError::into_inner);
-            let touches = &mut *lock(&touches[turn.first + k]);
+            let constraints = &mut *lock(&constraints[turn.first + k]);
             let own = &coordinates[lowest_of(turn.level, k)];
             if turn.level == 0 {
                 let Coordinates { from, displacements } = &mut *lock(&own[0]);
                 displacements.begin(turn);
-                touches.sweep(space, bonds, Stretch { from: *from, values: displacements.now }, turn);
+                constraints.sweep(space, bilateral, Stretch { from: *from, values: displacements.now }, turn);
             } else {
-                touches.sweep(space, bonds, Several(own.iter().map(lock).collect()), turn);
+                constraints.sweep(space, bilateral, Several(own.iter().map(lock).collect()), turn);
             }
         };
         let mut last = self.square;
@@ -134,18 +134,19 @@ impl Conjugate {
                     break;
                 }
                 let kept = sweep < sweeps;
-                for (level, parts) in levels(parts.lowest()).enumerate() {
-                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: parts.start, after, kept };
-                    team.each(parts.len());
+                for (level, subdomains) in levels(subdomains.lowest()).enumerate() {
+                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: subdomains.start, after, kept };
+                    team.each(subdomains.len());
                 }
                 if kept {
-                    let square: f64 = touches.iter().map(|part| lock(part).square).sum();
-                    let share = if last > 0.0 { square / last } else { 0.0 };
-                    (after, last) = if share > 1.0 { (AfterSweep::Restart, 0.0) } else { (AfterSweep::Along(share), square) };
+                    let square: f64 = constraints.iter().map(|part| lock(part).square).sum();
+                    let fraction = if last > 0.0 { square / last } else { 0.0 };
+                    (after, last) =
+                        if fraction > 1.0 { (AfterSweep::Restart, 0.0) } else { (AfterSweep::Along(fraction), square) };
                 }
             }
         };
-        workers.together(parts.lowest(), &sweep, lead);
+        workers.together(subdomains.lowest(), &sweep, lead);
         self.square = last;
     }
 }
@@ -158,7 +159,7 @@ impl<T: Copy + Default> Past<T> {
     }
 
     /// The list and what is kept of it, part by part.
-    fn shares<'a, I: Iterator<Item = usize> + 'a>(
+    fn fractions<'a, I: Iterator<Item = usize> + 'a>(
         &'a mut self,
         now: &'a mut [T],
         ends: impl Fn() -> I,
@@ -173,10 +174,10 @@ impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T
     fn begin(&mut self, turn: Turn) {
         match turn.after {
             AfterSweep::Nothing => {}
-            AfterSweep::Along(share) => {
+            AfterSweep::Along(fraction) => {
                 for ((now, old), direction) in self.now.iter_mut().zip(&*self.before).zip(&mut *self.direction) {
                     let change = *now - *old;
-                    let before = *direction * share;
+                    let before = *direction * fraction;
                     *now = *now + before;
                     *direction = before + change;
                 }
@@ -190,10 +191,10 @@ impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T
 }
 
 impl Touches<'_> {
-    fn sweep(&mut self, space: &ContactSpace, bonds: &Bonds, displacements: impl Displacements, turn: Turn) {
+    fn sweep(&mut self, space: &ContactSpace, bilateral: &BilateralElimination, displacements: impl Displacements, turn: Turn) {
         let Self { rows, forces, square } = self;
         forces.begin(turn);
-        f64::call(Sweep { space, bonds, rows, forces: forces.now, displacements });
+        f64::call(Sweep { space, bilateral, rows, forces: forces.now, displacements });
         if turn.kept {
             *square = forces.now.iter().zip(&*forces.before).map(|(new, old)| (new - old).norm_squared()).sum();
         }
@@ -203,7 +204,7 @@ impl Touches<'_> {
 /// A sweep over some rows.
 struct Sweep<'a, D> {
     space: &'a ContactSpace,
-    bonds: &'a Bonds,
+    bilateral: &'a BilateralElimination,
     rows: &'a mut [Row],
     forces: &'a mut [Vector3<f64>],
     displacements: D,
@@ -213,7 +214,7 @@ impl<D: Displacements> Kernel for Sweep<'_, D> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { space, bonds, rows, forces, mut displacements } = self;
+        let Self { space, bilateral, rows, forces, mut displacements } = self;
         for (row, force) in rows.iter_mut().zip(forces) {
             let old = *force;
             let u = row.relative(&displacements);
@@ -221,7 +222,7 @@ impl<D: Displacements> Kernel for Sweep<'_, D> {
             let change = new - old;
             if change != Vector3::zeros() {
                 *force = new;
-                row.push(space, bonds, &change, &mut displacements);
+                row.push(space, bilateral, &change, &mut displacements);
             }
         }
     }
@@ -233,7 +234,7 @@ struct Several<'a, 'b>(Vec<MutexGuard<'a, Coordinates<'b>>>);
 impl Several<'_, '_> {
     /// Which of the parts has a coordinate.
     #[inline(always)]
-    fn part_of(&self, at: usize) -> usize {
+    fn subdomain_of(&self, at: usize) -> usize {
         (1..self.0.len()).rev().find(|k| self.0[*k].from <= at).unwrap_or(0)
     }
 }
@@ -241,13 +242,13 @@ impl Several<'_, '_> {
 impl Displacements for Several<'_, '_> {
     #[inline(always)]
     fn rest(&self, at: usize) -> &[f64] {
-        let part = &self.0[self.part_of(at)];
+        let part = &self.0[self.subdomain_of(at)];
         &part.displacements.now[at - part.from..]
     }
 
     #[inline(always)]
     fn rest_mut(&mut self, at: usize) -> &mut [f64] {
-        let part = self.part_of(at);
+        let part = self.subdomain_of(at);
         let Coordinates { from, displacements } = &mut *self.0[part];
         &mut displacements.now[at - *from..]
     }

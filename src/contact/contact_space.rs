@@ -5,7 +5,7 @@ use std::fmt::Display;
 use nalgebra::{Matrix3, Vector3};
 
 use super::law::Law;
-use super::parts::Parts;
+use super::subdomains::Subdomains;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// A touched point of a strand: a place, or the rotation at a place.
@@ -19,7 +19,7 @@ pub struct End {
 
 /// One touch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpaceTouch {
+pub struct SpaceConstraint {
     /// Where +λ acts.
     pub first: End,
     /// Where −λ acts; none where the partner is a body or the world.
@@ -28,7 +28,7 @@ pub struct SpaceTouch {
     pub law: Law,
     /// The relative displacement over the step that there would be without any touch's force, world axes, m (between rotations rad). Its
     /// part along a contact's normal is the gap that there would be.
-    pub free: Vector3<f64>,
+    pub unconstrained: Vector3<f64>,
 }
 
 /// The strands' responses and the touches. Its memory is kept from one use to the next.
@@ -39,8 +39,8 @@ pub struct ContactSpace {
     /// Strand after strand, each a symmetric matrix of (3 points)² numbers.
     response: Vec<f64>,
     coordinates: usize,
-    touches: Vec<SpaceTouch>,
-    parts: Parts,
+    constraints: Vec<SpaceConstraint>,
+    subdomains: Subdomains,
 }
 
 /// Where a strand's numbers are.
@@ -61,8 +61,8 @@ impl ContactSpace {
         self.step = step;
         self.strands.clear();
         self.response.clear();
-        self.touches.clear();
-        self.parts.clear();
+        self.constraints.clear();
+        self.subdomains.clear();
         self.coordinates = 0;
         Ok(())
     }
@@ -80,38 +80,38 @@ impl ContactSpace {
 
     /// Adds a touch. Errors: an end that is not among the strands' points, two ends that are the same, a free displacement that is not finite,
     /// a law with a number out of its range.
-    pub fn add_touch(&mut self, touch: SpaceTouch) -> Result<()> {
-        let index = self.touches.len();
-        self.check_end(format_args!("touches[{index}].first"), touch.first)?;
-        if let Some(second) = touch.second {
-            self.check_end(format_args!("touches[{index}].second"), second)?;
-            if second == touch.first {
+    pub fn add_constraint(&mut self, constraint: SpaceConstraint) -> Result<()> {
+        let index = self.constraints.len();
+        self.check_end(format_args!("constraints[{index}].first"), constraint.first)?;
+        if let Some(second) = constraint.second {
+            self.check_end(format_args!("constraints[{index}].second"), second)?;
+            if second == constraint.first {
                 let value = format!("strand {} point {}", second.strand, second.point);
-                return Err(Error::invalid(format!("touches[{index}].second"), value, "another point than the first"));
+                return Err(Error::invalid(format!("constraints[{index}].second"), value, "another point than the first"));
             }
         }
         for i in 0..3 {
-            check_finite(|| format!("touches[{index}].free[{i}]"), touch.free[i])?;
+            check_finite(|| format!("constraints[{index}].unconstrained[{i}]"), constraint.unconstrained[i])?;
         }
-        touch.law.check(format_args!("touches[{index}].law"))?;
-        self.touches.push(touch);
+        constraint.law.check(format_args!("constraints[{index}].law"))?;
+        self.constraints.push(constraint);
         Ok(())
     }
 
     /// Says which touches may be swept side by side, once all is added, and where there are no bonds: where the strands of every part of the
-    /// lowest level end, and the touches of every part ([`Parts`]).
-    pub(super) fn part(&mut self, strand_ends: &[usize], touch_ends: &[usize]) {
+    /// lowest level end, and the touches of every part ([`Subdomains`]).
+    pub(super) fn part(&mut self, strand_ends: &[usize], constraint_ends: &[usize]) {
         // (One part is what a problem is anyhow, and may have bonds.)
         if strand_ends.len() == 1 {
             return;
         }
         let coordinates = |strands: &usize| self.strands.get(*strands).map_or(self.coordinates, |block| block.base);
-        self.parts.set(strand_ends.iter().map(coordinates), touch_ends);
+        self.subdomains.set(strand_ends.iter().map(coordinates), constraint_ends);
     }
 
     /// See [`ContactSpace::part`].
-    pub(super) fn parts(&self) -> &Parts {
-        &self.parts
+    pub(super) fn subdomains(&self) -> &Subdomains {
+        &self.subdomains
     }
 
     fn check_end(&self, argument: impl Display, end: End) -> Result<()> {
@@ -148,16 +148,16 @@ impl ContactSpace {
     }
 
     /// The touches in the order in which they were added.
-    pub fn touches(&self) -> &[SpaceTouch] {
-        &self.touches
+    pub fn constraints(&self) -> &[SpaceConstraint] {
+        &self.constraints
     }
 
     /// Changes a touch's free displacement (finite), law and all else kept: the next Newton iteration's problem.
-    pub fn set_free(&mut self, touch: usize, free: Vector3<f64>) -> Result<()> {
+    pub fn set_unconstrained(&mut self, constraint: usize, unconstrained: Vector3<f64>) -> Result<()> {
         for i in 0..3 {
-            check_finite(|| format!("free[{i}]"), free[i])?;
+            check_finite(|| format!("unconstrained[{i}]"), unconstrained[i])?;
         }
-        self.touches[touch].free = free;
+        self.constraints[constraint].unconstrained = unconstrained;
         Ok(())
     }
 
@@ -179,9 +179,9 @@ impl ContactSpace {
     pub fn displacements(&self, forces: &[Vector3<f64>], out: &mut Vec<f64>) {
         out.clear();
         out.resize(self.coordinates, 0.0);
-        for (touch, force) in self.touches.iter().zip(forces) {
-            self.push(touch.first, force, out);
-            if let Some(second) = touch.second {
+        for (constraint, force) in self.constraints.iter().zip(forces) {
+            self.push(constraint.first, force, out);
+            if let Some(second) = constraint.second {
                 self.push(second, &-force, out);
             }
         }
@@ -194,11 +194,11 @@ impl ContactSpace {
     }
 
     /// The relative displacement of a touch where the points are displaced by `displacements`, its free one with it.
-    pub fn relative(&self, touch: usize, displacements: &[f64]) -> Vector3<f64> {
-        let touch = &self.touches[touch];
+    pub fn relative(&self, constraint: usize, displacements: &[f64]) -> Vector3<f64> {
+        let constraint = &self.constraints[constraint];
         let at = |end: End| self.block(end.strand as usize).base + 3 * end.point as usize;
-        let mut u = touch.free + read(displacements, at(touch.first));
-        if let Some(second) = touch.second {
+        let mut u = constraint.unconstrained + read(displacements, at(constraint.first));
+        if let Some(second) = constraint.second {
             u -= read(displacements, at(second));
         }
         u

@@ -3,20 +3,20 @@
 
 use nalgebra::Vector3;
 
-use super::held_strand::HeldStrand;
+use super::constrained_strand::ConstrainedStrand;
 use super::island::{Island, is_nearly_outside, is_outside};
-use super::joint::{Give, Joint, Standing};
 use super::law::Law;
 use super::options::ContactOptions;
+use super::step_constraint::{Give, Standing, StepConstraint};
 
 /// A touch sleeps where its surfaces are further apart than so many times what they moved against each other in the iteration: the next ones are
 /// shorter.
 const ASIDE: f64 = 1.0;
 
-impl Joint {
+impl StepConstraint {
     /// Whether a strand at its ends takes part in the iteration.
-    pub(super) fn moves(&self, strands: &[HeldStrand]) -> bool {
-        self.ends().any(|end| !strands[end.held as usize].resting)
+    pub(super) fn moves(&self, strands: &[ConstrainedStrand]) -> bool {
+        self.ends().any(|end| !strands[end.strand as usize].resting)
     }
 
     /// After an iteration that took its surfaces to `u` and by `moved` (m) nearer or apart: lets it sleep if nothing presses it and it is out of
@@ -32,8 +32,8 @@ impl Joint {
 
 impl Island {
     /// Wakes a touch that sleeps where its surfaces have met, for the rest of the step.
-    pub(super) fn rouse(&mut self, index: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) {
-        if !self.joints[index].moves(strands) {
+    pub(super) fn rouse(&mut self, index: usize, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
+        if !self.constraints[index].moves(strands) {
             return;
         }
         let (law, u) = self.evaluate(index, strands, options, step);
@@ -42,11 +42,11 @@ impl Island {
         if gap >= 0.0 {
             return;
         }
-        let joint = &mut self.joints[index];
-        (joint.dormant, joint.roused) = (false, true);
+        let constraint = &mut self.constraints[index];
+        (constraint.dormant, constraint.roused) = (false, true);
         // What springs hold they hold in no way yet.
         let soft = options.model.is_soft();
         let holds = !soft && is_outside(gap, options);
-        joint.standing = Standing { holds, nearly: soft || is_nearly_outside(gap, options), ..joint.standing };
+        constraint.standing = Standing { holds, nearly: soft || is_nearly_outside(gap, options), ..constraint.standing };
     }
 }

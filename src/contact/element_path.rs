@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::body::BodyAt;
-use super::touch::StrandCurve;
+use super::contact_point::StrandCurve;
 use crate::math::entire::Stumpff;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;

@@ -3,10 +3,10 @@
 
 use nalgebra::Vector3;
 
-use super::held_strand::HeldStrand;
+use super::constrained_strand::ConstrainedStrand;
 use super::island::{ENOUGH_TURN, FEW, Island, LOOKS};
-use super::joint::{Give, Joint, Standing};
 use super::options::ContactOptions;
+use super::step_constraint::{Give, Standing, StepConstraint};
 use crate::meter::Stopped;
 
 /// Where forces grew beyond measure, strands with forces beyond this many times what takes a strand its own length in a step are astray.
@@ -24,7 +24,7 @@ pub enum Attempt {
     /// Some touches give way, from where the first attempt came to, see [`Give`].
     Yielding,
     /// The same from the step's start.
-    YieldingAnew,
+    YieldingFromStart,
     /// All joints of the strands that are astray give way by more, from the step's start; then those of their neighbours too.
     Relaxed,
 }
@@ -48,11 +48,11 @@ pub struct Ending {
     /// How it was tried to come to an end.
     pub attempt: Attempt,
     /// Whether that came to its end, whatever gave way for it.
-    pub came_to_end: bool,
+    pub attempt_converged: bool,
     /// It has not come to its end, but is near enough to stay as it is.
     pub good_enough: bool,
-    /// Not even so: strands of it stay as the step found them, see [`Island::has_lost`].
-    pub lost: bool,
+    /// Not even so: strands of it stay as the step found them, see [`Island::has_diverged`].
+    pub diverged: bool,
     /// Why it was ended before its end, if so.
     pub stopped: Stopped,
     /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
@@ -81,23 +81,23 @@ impl Island {
     }
 
     /// Refuses the end of touches' strands that have strayed, and with it the island's: they are lost where the substep is not taken in parts.
-    pub fn refuse_strays(&mut self, strands: &mut [HeldStrand], step: f64) {
-        if self.ending.stopped != Stopped::No || !self.has_touches() || self.is_constrained() {
+    pub fn reject_risen(&mut self, strands: &mut [ConstrainedStrand], step: f64) {
+        if self.ending.stopped != Stopped::No || !self.has_contacts() || self.has_bilateral() {
             return;
         }
-        for held in &self.strands {
-            let held = &mut strands[*held as usize];
-            if held.has_strayed(step) {
-                held.residual = f64::INFINITY;
-                (self.ending.converged, self.ending.came_to_end, self.ending.good_enough) = (false, false, false);
-                self.ending.lost = true;
+        for strand in &self.strands {
+            let strand = &mut strands[*strand as usize];
+            if strand.has_risen(step) {
+                strand.residual = f64::INFINITY;
+                (self.ending.converged, self.ending.attempt_converged, self.ending.good_enough) = (false, false, false);
+                self.ending.diverged = true;
             }
         }
     }
 
     /// Goes on from where it is: a strand of it has been moved.
     pub fn go_on(&mut self) {
-        (self.done, self.ending.came_to_end, self.ending.converged, self.rest) = (false, false, false, -1.0);
+        (self.done, self.ending.attempt_converged, self.ending.converged, self.rest) = (false, false, false, -1.0);
         self.begin_to_count(self.iterations);
     }
 
@@ -118,7 +118,7 @@ impl Island {
 
     /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way, and would be dear to solve again.
     pub fn is_given_up(&self) -> bool {
-        let dear = self.is_constrained() || self.strands.len() > FEW;
+        let dear = self.has_bilateral() || self.strands.len() > FEW;
         self.failed() && (self.is_relaxed() && dear || !self.ending.good_enough)
     }
 
@@ -126,19 +126,19 @@ impl Island {
     pub fn is_to_be_tried_again(&self) -> bool {
         let goes_on = self.ending.stopped == Stopped::No && !self.ending.good_enough;
         let is_last = self.is_relaxed() && self.relaxings >= RELAXINGS;
-        self.failed() && goes_on && !is_last && !self.joints.is_empty()
+        self.failed() && goes_on && !is_last && !self.constraints.is_empty()
     }
 
     /// Another attempt, if its joints were not to be held. First, if they are touches without springs of their own, those of strands alone give
     /// way that did not come to their end; mostly these are one to five of hundreds. It goes on from where it is, or, where forces grew beyond measure,
     /// begins again. Then all joints of such strands give way by more, from the start, and of their neighbours where that does not do: what contradicts
     /// itself, or is out of a strand's reach, is drawn as near as it goes. The others hold and rub as ever.
-    pub fn try_again(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Next {
+    pub fn try_again(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) -> Next {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
         let may_yield = matches!(self.ending.attempt, Attempt::Whole | Attempt::Yielding);
-        let forgives = may_yield && !options.model.is_soft() && !self.is_constrained() && self.let_some_yield(strands, step);
+        let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, step);
         if forgives && self.ending.attempt == Attempt::Whole && !self.beyond {
             // Bodies' surfaces stay as they are.
             (self.iterations, self.done, self.ending.attempt) = (LOOKS, false, Attempt::Yielding);
@@ -149,59 +149,63 @@ impl Island {
             self.relax(strands, options, step);
             self.relaxings = if options.model.is_soft() { RELAXINGS } else { self.relaxings + 1 };
         }
-        self.ending.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
+        self.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
         (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
-        for joint in &mut self.joints {
-            (joint.force, joint.dormant, joint.pushed) = (Vector3::zeros(), false, 0.0);
+        for constraint in &mut self.constraints {
+            (constraint.force, constraint.dormant, constraint.pushed) = (Vector3::zeros(), false, 0.0);
         }
         Next::BeginsAgain
     }
 
     /// Lets the touches of strands yield that are astray. False if none yields that did not.
-    fn let_some_yield(&mut self, strands: &[HeldStrand], step: f64) -> bool {
-        let astray = self.astray(strands, step);
+    fn let_some_yield(&mut self, strands: &[ConstrainedStrand], step: f64) -> bool {
+        let diverged = self.diverged_strands(strands, step);
         let mut some = false;
-        for joint in &mut self.joints {
-            if joint.give == Give::No && joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
-                (joint.give, joint.dormant, joint.standing, some) = (Give::ALittle, false, Standing::UNKNOWN, true);
+        for constraint in &mut self.constraints {
+            if constraint.give == Give::No && constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
+                (constraint.give, constraint.dormant, constraint.standing, some) =
+                    (Give::ALittle, false, Standing::UNKNOWN, true);
             }
         }
         some
     }
 
     /// Relaxes all joints of the strands that are astray; from the second time on, of their neighbours too.
-    fn relax(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) {
-        let mut astray = self.astray(strands, step);
+    fn relax(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
+        let mut diverged = self.diverged_strands(strands, step);
         if self.relaxings > 0 {
-            let meets = |joint: &&Joint| joint.ends().any(|end| astray.binary_search(&end.held).is_ok());
-            let mut all: Vec<u32> = self.joints.iter().filter(meets).flat_map(Joint::ends).map(|end| end.held).collect();
-            all.extend_from_slice(&astray);
+            let meets = |constraint: &&StepConstraint| constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok());
+            let mut all: Vec<u32> =
+                self.constraints.iter().filter(meets).flat_map(StepConstraint::ends).map(|end| end.strand).collect();
+            all.extend_from_slice(&diverged);
             all.sort_unstable();
-            astray = all;
+            diverged = all;
         }
-        let all = astray.is_empty() || options.model.is_soft();
-        for joint in &mut self.joints {
-            if all || joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
-                (joint.give, joint.standing) = (Give::Much, Standing::UNKNOWN);
+        let all = diverged.is_empty() || options.model.is_soft();
+        for constraint in &mut self.constraints {
+            if all || constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
+                (constraint.give, constraint.standing) = (Give::Much, Standing::UNKNOWN);
             }
         }
     }
 
     /// The strands that are astray, ascending: where forces grew beyond measure, those with such forces; else those too far from
     /// their end, or with joints that are.
-    fn astray(&self, strands: &[HeldStrand], step: f64) -> Vec<u32> {
-        let far = |held: &&u32| {
-            let residual = strands[**held as usize].residual;
+    fn diverged_strands(&self, strands: &[ConstrainedStrand], step: f64) -> Vec<u32> {
+        let far = |strand: &&u32| {
+            let residual = strands[**strand as usize].residual;
             !self.beyond && (residual > ENOUGH_TURN || residual.is_nan())
         };
-        let mut astray: Vec<u32> = self.strands.iter().filter(far).copied().collect();
+        let mut diverged: Vec<u32> = self.strands.iter().filter(far).copied().collect();
         let large = LARGE * self.usual_force(strands, step);
-        let off = |joint: &&Joint| if self.beyond { joint.force.norm() > large } else { !joint.standing.nearly };
-        for joint in self.joints.iter().filter(off) {
-            astray.extend(joint.ends().map(|end| end.held));
+        let off = |constraint: &&StepConstraint| {
+            if self.beyond { constraint.force.norm() > large } else { !constraint.standing.nearly }
+        };
+        for constraint in self.constraints.iter().filter(off) {
+            diverged.extend(constraint.ends().map(|end| end.strand));
         }
-        astray.sort_unstable();
-        astray
+        diverged.sort_unstable();
+        diverged
     }
 }

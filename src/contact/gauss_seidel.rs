@@ -4,8 +4,8 @@
 
 use nalgebra::Vector3;
 
+use super::bilateral_elimination::DependentConstraint;
 use super::block_newton::{BlockNewton, Goal};
-use super::bonds::DependentBond;
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::law::Law;
@@ -24,7 +24,7 @@ pub struct Settings {
     /// What residuals are measured in.
     pub scales: Scales,
     /// Most work, in nanoseconds or so: it ends with the round, or Newton's step, that goes beyond.
-    pub most_work: u64,
+    pub max_work: u64,
 }
 
 /// What residuals are measured in.
@@ -43,7 +43,7 @@ pub enum Scales {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_sweeps: 2000, scales: Scales::OfTheProblem, most_work: u64::MAX }
+        Self { tolerance: 1e-6, max_sweeps: 2000, scales: Scales::OfTheProblem, max_work: u64::MAX }
     }
 }
 
@@ -63,7 +63,7 @@ pub struct Report {
     /// The work that it took, in nanoseconds or so.
     pub work: u64,
     /// Held directions that depend on others.
-    pub dependent: Vec<DependentBond>,
+    pub dependent: Vec<DependentConstraint>,
 }
 
 /// Sweeps in which the residual must halve.
@@ -115,7 +115,7 @@ impl GaussSeidel {
         let system = &mut self.system;
         self.forces.clear();
         for index in 0..system.rows.len() {
-            let force = forces[system.rows[index].touch];
+            let force = forces[system.rows[index].constraint];
             self.forces.push(force);
             if force != Vector3::zeros() {
                 system.push(space, index, &force);
@@ -132,7 +132,7 @@ impl GaussSeidel {
         loop {
             settings.scales.set(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
-            let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.most_work;
+            let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.max_work;
             if report.residual <= settings.tolerance || spent || meter.is_halted() {
                 break;
             }
@@ -147,10 +147,10 @@ impl GaussSeidel {
             // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.
             tried_whole = !tried_whole && ((whole && report.sweeps == 0) || (rescue && slow));
             if tried_whole {
-                tries += u32::from(!system.bonds.are_there());
+                tries += u32::from(!system.bilateral.are_there());
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
                 self.newton.solve(space, system, &self.forces, &self.rows, &report, goal, meter);
                 self.newton.apply(space, system, &mut self.forces);
                 report.work += self.newton.work;
@@ -159,7 +159,7 @@ impl GaussSeidel {
                 continue;
             }
             if slow && report.residual < NEAR * report.size {
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
                 report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, workers, meter);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
@@ -174,9 +174,9 @@ impl GaussSeidel {
             report.work += u64::from(round + 1) * sweep_work;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
-            forces[row.touch] = *force;
+            forces[row.constraint] = *force;
         }
-        report.dependent = system.bonds.finish(space, forces);
+        report.dependent = system.bilateral.finish(space, forces);
         report
     }
 }
@@ -185,7 +185,7 @@ impl Scales {
     /// Sets the scales of a report, and how large the problem is in them.
     fn set(self, system: &System, forces: &[Vector3<f64>], report: &mut Report) {
         let mut force = forces.iter().fold(0.0, |a: f64, f| a.max(f.norm()));
-        let mut length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.free.norm()));
+        let mut length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.unconstrained.norm()));
         if let Self::Fixed { force: least_force, length: fixed } = self {
             // A touch's force is measured in itself, so that the largest is no larger than any.
             report.size = (length / fixed).max(1.0);
@@ -206,7 +206,7 @@ impl Scales {
 impl Report {
     /// How far a law is from holding in the report's scales, see [`Law::residual`].
     #[inline(always)]
-    pub fn miss(&self, law: &Law, u: Vector3<f64>, force: Vector3<f64>, step: f64) -> f64 {
+    pub fn law_residual(&self, law: &Law, u: Vector3<f64>, force: Vector3<f64>, step: f64) -> f64 {
         law.residual(u, force, step, self.length, self.force.max(force.norm()))
     }
 }
@@ -215,8 +215,8 @@ impl Report {
 pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) -> f64 {
     let mut worst = 0.0_f64;
     for (row, force) in system.rows.iter().zip(forces) {
-        let law = &space.touches()[row.touch].law;
-        worst = worst.max(report.miss(law, system.relative(row), *force, space.step()));
+        let law = &space.constraints()[row.constraint].law;
+        worst = worst.max(report.law_residual(law, system.relative(row), *force, space.step()));
     }
     worst
 }
@@ -226,7 +226,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::contact::contact_space::{End, SpaceTouch};
+    use crate::contact::contact_space::{End, SpaceConstraint};
     use crate::contact::law::coefficient::Coefficient;
     use crate::contact::law::contact::{Contact, Friction};
     use crate::contact::law::response::Response;
@@ -259,11 +259,11 @@ mod tests {
         let add = |space: &mut ContactSpace, first: u32, second: Option<u32>, point: u32| {
             let normal = if second.is_some() { -Vector3::y() } else { Vector3::z() };
             let friction = Friction::Coulomb(Coefficient::uniform(0.3));
-            let free =
+            let unconstrained =
                 Vector3::new(0.01 * f64::from(point), 0.0, 0.0) - normal * (1.0 + 0.1 * f64::from((first * 7 + point) % 5));
             let law = Law::Contact(Contact { normal, response: Response::Hard, friction });
             let end = |strand| End { strand, point };
-            space.add_touch(SpaceTouch { first: end(first), second: second.map(end), law, free }).unwrap();
+            space.add_constraint(SpaceConstraint { first: end(first), second: second.map(end), law, unconstrained }).unwrap();
         };
         let mut ends = Vec::new();
         for part in 0..4 {
@@ -275,16 +275,16 @@ mod tests {
                     }
                 }
             }
-            ends.push(space.touches().len());
+            ends.push(space.constraints().len());
         }
         for strand in [4, 14, 9] {
             for point in 0..POINTS {
                 add(&mut space, strand, Some(strand + 1), point);
             }
-            ends.push(space.touches().len());
+            ends.push(space.constraints().len());
         }
         space.part(&[5, 10, 15, 20], &ends);
-        let forces = vec![Vector3::zeros(); space.touches().len()];
+        let forces = vec![Vector3::zeros(); space.constraints().len()];
         (space, forces)
     }
 
@@ -296,10 +296,10 @@ mod tests {
         let report = GaussSeidel::default().solve(&space, &settings, &mut alone);
         let mut displacements = Vec::new();
         space.displacements(&alone, &mut displacements);
-        for (k, (touch, force)) in space.touches().iter().zip(&alone).enumerate() {
+        for (k, (constraint, force)) in space.constraints().iter().zip(&alone).enumerate() {
             let u = space.relative(k, &displacements);
-            let miss = report.miss(&touch.law, u, *force, space.step());
-            assert!(miss < 2e-9, "touch {k}: {miss:e}");
+            let law_residual = report.law_residual(&constraint.law, u, *force, space.step());
+            assert!(law_residual < 2e-9, "touch {k}: {law_residual:e}");
         }
         // Touches between parts press too.
         for between in alone.chunks(POINTS as usize).rev().take(3) {

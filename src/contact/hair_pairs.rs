@@ -21,11 +21,11 @@ pub use knots::Tie;
 pub(crate) use memory::PairMemory;
 
 use super::broad_phase::Grid;
+use super::contact_point::{ContactPoint, Partner, Place, StrandCurve, StrandPath};
 use super::pieces::{Pieces, PlacedPieces, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::shape::Bounds;
-use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
+use super::strand_contacts::{MovingPiece, PairScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
@@ -371,7 +371,14 @@ impl HairPairs {
     /// Writes the touches of a pair of strands after what `out` holds, by arclength of the first strand: gaps up to `within` (m, zero or above;
     /// no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do so for different
     /// groups; with the groups in their order, touches are in theirs: by first strand, second strand, arclength of the first, of the second.
-    pub fn touches(&self, group: &Group, strands: &[StrandPath], within: f64, scratch: &mut TouchScratch, out: &mut Vec<Touch>) {
+    pub fn contacts(
+        &self,
+        group: &Group,
+        strands: &[StrandPath],
+        within: f64,
+        scratch: &mut PairScratch,
+        out: &mut Vec<ContactPoint>,
+    ) {
         let moving = |index: u32| {
             let piece = &self.pieces.pieces[index as usize];
             let node = piece.node as usize;
@@ -392,28 +399,28 @@ impl HairPairs {
         };
         let candidates = self.candidates[group.from as usize..group.to as usize].iter();
         let first = out.len();
-        two.touches(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+        two.contacts(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
         if self.knots.holds(group.a) && self.knots.holds(group.b) {
             self.gather(group, strands, within, first, out);
         }
     }
 
     /// Of the touches from `first` on drops those in a knot, and takes back the radii of those beside one.
-    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<Touch>) {
+    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<ContactPoint>) {
         let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
         let along = |strand: u32, place: &Place| strands[strand as usize].now.along(place.element as usize, place.s);
         let mut kept = first;
         for index in first..out.len() {
-            let mut touch = out[index];
-            if let Partner::Strand(other) = &touch.partner {
-                let along = [along(group.a, &touch.place), along(group.b, other)];
-                let Some(share) = self.knots.share_left([group.a, group.b], along, radii) else { continue };
-                touch.gap += (1.0 - share) * radii;
-                if share < 1.0 && touch.gap > within {
+            let mut contact = out[index];
+            if let Partner::Strand(other) = &contact.partner {
+                let along = [along(group.a, &contact.place), along(group.b, other)];
+                let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
+                contact.gap += (1.0 - fraction) * radii;
+                if fraction < 1.0 && contact.gap > within {
                     continue;
                 }
             }
-            out[kept] = touch;
+            out[kept] = contact;
             kept += 1;
         }
         out.truncate(kept);

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::contact_space::{ContactSpace, End, SpaceTouch};
+use super::constrained_strand::ConstrainedStrand;
+use super::contact_space::{ContactSpace, End, SpaceConstraint};
 use super::gauss_seidel::{GaussSeidel, Scales, Settings};
-use super::held_strand::HeldStrand;
 use super::island::Island;
-use super::joint::JointKind;
 use super::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use super::partition::Partition;
+use super::step_constraint::ConstraintKind;
 use crate::error::Result;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
@@ -34,13 +34,13 @@ pub struct ProblemScratch {
 
 impl Island {
     /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution, unless `meter`
-    /// halts it. It takes [`Island::most_work`] at most.
+    /// halts it. It takes [`Island::max_work`] at most.
     ///
     /// # Errors
     /// Where a number has turned non-finite.
     pub(crate) fn solve<S: Default + Send>(
         &mut self,
-        strands: &[HeldStrand],
+        strands: &[ConstrainedStrand],
         options: &ContactOptions,
         step: f64,
         scratch: &mut ProblemScratch,
@@ -53,52 +53,52 @@ impl Island {
         let ProblemScratch { space, solver, forces, partition } = scratch;
         self.iterations += 1;
         space.reset(step)?;
-        self.choose_parts(strands);
-        self.put_in_parts(strands, partition);
+        self.choose_included(strands);
+        self.partition_included(strands, partition);
         for local in &partition.strands {
             if meter.is_halted() {
                 return Ok(());
             }
-            if !self.strand_has_part[*local as usize] {
+            if !self.strand_is_included[*local as usize] {
                 space.add_strand(0);
                 continue;
             }
-            let operator = &strands[self.strands[*local as usize] as usize].held.delassus;
+            let operator = &strands[self.strands[*local as usize] as usize].step.delassus;
             space.add_strand(operator.material_points).copy_from_slice(&operator.columns);
         }
         forces.clear();
-        let lightest = self.strands.iter().map(|held| strands[*held as usize].mass).fold(f64::INFINITY, f64::min);
-        for index in 0..self.parts.len() {
+        let lightest = self.strands.iter().map(|strand| strands[*strand as usize].mass).fold(f64::INFINITY, f64::min);
+        for index in 0..self.included.len() {
             if meter.is_halted_at(index) {
                 return Ok(());
             }
-            let joint = self.parts[index] as usize;
-            let rubs = (self.joints[joint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
-            let before = if self.iterations <= ASKED { 1.0 } else { self.joints[joint].rubs };
-            self.joints[joint].rubs = rubs.min(before);
-            let (law, mut free) = self.evaluate(joint, strands, options, step);
-            let [first, second] = self.ends[joint];
+            let constraint = self.included[index] as usize;
+            let rubs = (self.constraints[constraint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
+            let before = if self.iterations <= ASKED { 1.0 } else { self.constraints[constraint].rubs };
+            self.constraints[constraint].rubs = rubs.min(before);
+            let (law, mut unconstrained) = self.evaluate(constraint, strands, options, step);
+            let [first, second] = self.ends[constraint];
             let at = |end: End| {
                 let strand = &strands[self.strands[end.strand as usize] as usize];
                 if strand.resting {
-                    strand.given_way(end.point, &self.has_part, |_| Vector3::zeros())
+                    strand.given_way(end.point, &self.is_included, |_| Vector3::zeros())
                 } else {
-                    strand.free(end.point)
+                    strand.unconstrained(end.point)
                 }
             };
-            free += at(first);
-            let second = self.joints[joint].second.map(|_| second);
+            unconstrained += at(first);
+            let second = self.constraints[constraint].second.map(|_| second);
             if let Some(end) = second {
-                free -= at(end);
+                unconstrained -= at(end);
             }
             let placed = |end: End| End { strand: partition.place[end.strand as usize], ..end };
-            space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
-            forces.push(self.joints[joint].force);
+            space.add_constraint(SpaceConstraint { first: placed(first), second: second.map(placed), law, unconstrained })?;
+            forces.push(self.constraints[constraint].force);
         }
         // How large the problem is, for what is a small part of it.
-        let longest = space.touches().iter().map(|touch| touch.free.norm()).fold(0.0, f64::max);
+        let longest = space.constraints().iter().map(|constraint| constraint.unconstrained.norm()).fold(0.0, f64::max);
         self.report.size = if options.model.is_soft() { 1.0 } else { (longest / (SPEED * step)).max(1.0) };
-        space.part(&partition.strand_ends, &partition.touch_ends);
+        space.part(&partition.strand_ends, &partition.constraint_ends);
         // Springs have no laws that hold exactly: what they are content with is a part of the problem.
         let soft = options.model.is_soft();
         let scales = if soft { Scales::OfTheProblem } else { Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step } };
@@ -107,39 +107,39 @@ impl Island {
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let size = self.report.size;
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
-        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
+        let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
+        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
         self.report = solver.solve_by(space, &settings, forces, workers, meter);
         self.sweeps += self.report.sweeps;
         meter.spend(self.report.work);
         if meter.is_halted() {
             return Ok(());
         }
-        for (joint, force) in self.parts.iter().zip(&*forces) {
-            let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
-            joint.force = *force;
-            if matches!(joint.kind, JointKind::Pin { .. }) {
+        for (constraint, force) in self.included.iter().zip(&*forces) {
+            let (first, constraint) = (self.ends[*constraint as usize][0], &mut self.constraints[*constraint as usize]);
+            constraint.force = *force;
+            if matches!(constraint.kind, ConstraintKind::Pin { .. }) {
                 let strand = &strands[self.strands[first.strand as usize] as usize];
-                joint.force += Vector3::from(strand.held.pulled(first.point as usize));
+                constraint.force += Vector3::from(strand.step.pulled(first.point as usize));
             }
         }
         Ok(())
     }
 
     /// The joints that strands which move have.
-    fn choose_parts(&mut self, strands: &[HeldStrand]) {
-        self.parts.clear();
-        self.has_part.clear();
-        self.strand_has_part.clear();
-        self.strand_has_part.resize(self.strands.len(), false);
-        for (index, (joint, ends)) in self.joints.iter().zip(&self.ends).enumerate() {
-            let has_part = !joint.dormant && joint.moves(strands);
-            self.has_part.push(has_part);
-            if has_part {
-                self.parts.push(index as u32);
-                self.strand_has_part[ends[0].strand as usize] = true;
-                if joint.second.is_some() {
-                    self.strand_has_part[ends[1].strand as usize] = true;
+    fn choose_included(&mut self, strands: &[ConstrainedStrand]) {
+        self.included.clear();
+        self.is_included.clear();
+        self.strand_is_included.clear();
+        self.strand_is_included.resize(self.strands.len(), false);
+        for (index, (constraint, ends)) in self.constraints.iter().zip(&self.ends).enumerate() {
+            let is_included = !constraint.dormant && constraint.moves(strands);
+            self.is_included.push(is_included);
+            if is_included {
+                self.included.push(index as u32);
+                self.strand_is_included[ends[0].strand as usize] = true;
+                if constraint.second.is_some() {
+                    self.strand_is_included[ends[1].strand as usize] = true;
                 }
             }
         }
@@ -147,15 +147,15 @@ impl Island {
 
     /// Brings the joints that have a part into the order of the parts of a large problem that threads sweep side by side. (Bonds join strands to blocks:
     /// problems with constraints are left whole.)
-    fn put_in_parts(&mut self, strands: &[HeldStrand], partition: &mut Partition) {
-        let may = !self.is_constrained();
-        let Self { parts, ends, joints, .. } = self;
-        let roots = self.strands.iter().map(|held| strands[*held as usize].held.now().0);
-        let touches = parts.iter().map(|index| {
+    fn partition_included(&mut self, strands: &[ConstrainedStrand], partition: &mut Partition) {
+        let may = !self.has_bilateral();
+        let Self { included, ends, constraints, .. } = self;
+        let roots = self.strands.iter().map(|strand| strands[*strand as usize].step.now().0);
+        let constraints = included.iter().map(|index| {
             let [first, second] = ends[*index as usize];
-            [Some(first.strand), joints[*index as usize].second.map(|_| second.strand)]
+            [Some(first.strand), constraints[*index as usize].second.map(|_| second.strand)]
         });
-        partition.update(roots, touches, may);
-        partition.put_in_order(parts);
+        partition.update(roots, constraints, may);
+        partition.put_in_order(included);
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! Files:
 //!
-//! - `bond.rs`: Bonds: points or rotations held together (pins, clamps, ties).
+//! - `bilateral.rs`: Bonds: points or rotations held together (pins, clamps, ties).
 //! - `coefficient.rs`: Friction coefficients that depend on the direction of sliding.
 //! - `contact.rs`: Contact with friction: its exact solve for one touch.
 //! - `linear.rs`: The laws as equations F(λ, u) = 0, linearised where (λ, u) is.
@@ -14,7 +14,7 @@
 //! - `ring.rs`: A ring that a strand slides through, with Coulomb friction.
 //! - `secular.rs`: The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
-pub mod bond;
+pub mod bilateral;
 pub mod coefficient;
 pub mod contact;
 pub mod linear;
@@ -26,7 +26,7 @@ use std::fmt::Display;
 
 use nalgebra::{Matrix3, Vector3};
 
-use self::bond::Bond;
+use self::bilateral::BilateralLaw;
 use self::contact::{Contact, ContactSolve};
 use self::ring::{Ring, RingSolve};
 use crate::error::Result;
@@ -37,7 +37,7 @@ pub enum Law {
     /// Two surfaces that may part but not pass through each other, with friction.
     Contact(Contact),
     /// Two points, or two rotations, held together along some axes.
-    Bond(Bond),
+    Bilateral(BilateralLaw),
     /// A ring that a strand slides through, with friction.
     Ring(Ring),
 }
@@ -47,7 +47,7 @@ impl Law {
     pub fn check(&self, argument: impl Display) -> Result<()> {
         match self {
             Law::Contact(contact) => contact.check(argument),
-            Law::Bond(bond) => bond.check(argument),
+            Law::Bilateral(bilateral) => bilateral.check(argument),
             Law::Ring(ring) => ring.check(argument),
         }
     }
@@ -58,7 +58,7 @@ impl Law {
     pub fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, step: f64, length: f64, force: f64) -> f64 {
         match self {
             Law::Contact(contact) => contact.residual(u, lambda, step, length, force),
-            Law::Bond(bond) => bond.residual(u, lambda, length, force),
+            Law::Bilateral(bilateral) => bilateral.residual(u, lambda, length, force),
             Law::Ring(ring) => ring.residual(u, lambda, length, force),
         }
     }
@@ -71,8 +71,8 @@ pub enum LawSolve {
     Contact(ContactSolve),
     /// See [`Law::Ring`].
     Ring(RingSolve),
-    /// See [`Law::Bond`].
-    Bond(bond::BondSolve),
+    /// See [`Law::Bilateral`].
+    Bilateral(bilateral::BilateralSolve),
 }
 
 impl LawSolve {
@@ -81,30 +81,30 @@ impl LawSolve {
         match law {
             Law::Contact(contact) => LawSolve::Contact(ContactSolve::new(contact, response, step)),
             Law::Ring(ring) => LawSolve::Ring(RingSolve::new(ring, response)),
-            Law::Bond(bond) => LawSolve::Bond(bond::BondSolve::new(bond, response)),
+            Law::Bilateral(bilateral) => LawSolve::Bilateral(bilateral::BilateralSolve::new(bilateral, response)),
         }
     }
 
-    /// The force λ for which u = W λ + `free` and λ obey the law; exact to rounding.
+    /// The force λ for which u = W λ + `unconstrained` and λ obey the law; exact to rounding.
     #[inline(always)]
-    pub fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
-        self.solve_to(free, secular::EXACT)
+    pub fn solve(&mut self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        self.solve_to(unconstrained, secular::EXACT)
     }
 
-    /// The same for who solves again and again with a `free` that changes less and less, as sweeps do: each solve begins where the last one came to,
+    /// The same for who solves again and again with a `unconstrained` that changes less and less, as sweeps do: each solve begins where the last one came to,
     /// so that this one need not be exact while that one was far off. Friction has the size that the law says; its direction, and the normal force with
-    /// it, are exact once `free` no longer changes.
+    /// it, are exact once `unconstrained` no longer changes.
     #[inline(always)]
-    pub(super) fn approach(&mut self, free: Vector3<f64>) -> Vector3<f64> {
-        self.solve_to(free, secular::NEAR)
+    pub(super) fn approach(&mut self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        self.solve_to(unconstrained, secular::NEAR)
     }
 
     #[inline(always)]
-    fn solve_to(&mut self, free: Vector3<f64>, last: f64) -> Vector3<f64> {
+    fn solve_to(&mut self, unconstrained: Vector3<f64>, last: f64) -> Vector3<f64> {
         match self {
-            LawSolve::Contact(contact) => contact.solve(free, last),
-            LawSolve::Ring(ring) => ring.solve(free),
-            LawSolve::Bond(bond) => bond.solve(free),
+            LawSolve::Contact(contact) => contact.solve(unconstrained, last),
+            LawSolve::Ring(ring) => ring.solve(unconstrained),
+            LawSolve::Bilateral(bilateral) => bilateral.solve(unconstrained),
         }
     }
 }

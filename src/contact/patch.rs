@@ -12,8 +12,8 @@ use crate::meter::Meter;
 use crate::workers::WorkerSet;
 
 /// Most patches at a time, and most rows of one.
-const MOST: usize = 8;
-const ROWS: usize = 40;
+const MAX_PATCHES: usize = 8;
+const MAX_ROWS: usize = 40;
 /// The residual that is asked of a patch, as a part of what is asked of the problem, and the part of its own that a patch may leave.
 const AIM: f64 = 0.3;
 const PART: f64 = 0.1;
@@ -22,7 +22,7 @@ const PART: f64 = 0.1;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Patches {
     /// The residual of each row.
-    misses: Vec<f64>,
+    residuals: Vec<f64>,
     /// Rows that are in a patch.
     taken: Vec<bool>,
     blocks: Vec<usize>,
@@ -55,10 +55,10 @@ impl Patches {
         meter: &Meter,
     ) -> u64 {
         let tolerance = goal.tolerance;
-        let aim = Goal { tolerance: AIM * tolerance, part: PART, most_work: goal.most_work / MOST as u64 };
+        let aim = Goal { tolerance: AIM * tolerance, part: PART, max_work: goal.max_work / MAX_PATCHES as u64 };
         self.begin(space, system, forces, report);
         let mut patches = std::mem::take(&mut self.patches);
-        patches.resize_with(MOST, Patch::default);
+        patches.resize_with(MAX_PATCHES, Patch::default);
         let found =
             patches.iter_mut().map(|patch| self.find(system, forces, tolerance, patch)).take_while(|found| *found).count();
         let mut rest = &mut patches[..found];
@@ -88,10 +88,10 @@ impl Patches {
         self.taken.resize(system.rows.len(), false);
         self.turns.clear();
         self.turns.resize(system.blocks(), 0);
-        self.misses.clear();
-        self.misses.extend(system.rows.iter().zip(forces).map(|(row, force)| {
-            let law = &space.touches()[row.touch].law;
-            report.miss(law, system.relative(row), *force, space.step())
+        self.residuals.clear();
+        self.residuals.extend(system.rows.iter().zip(forces).map(|(row, force)| {
+            let law = &space.constraints()[row.constraint].law;
+            report.law_residual(law, system.relative(row), *force, space.step())
         }));
     }
 
@@ -99,8 +99,9 @@ impl Patches {
     /// that they share, then ascending. False where none misses by more than `tolerance`.
     fn find(&mut self, system: &System, forces: &[Vector3<f64>], tolerance: f64, patch: &mut Patch) -> bool {
         let Patch { rows, turn, .. } = patch;
-        let free = self.misses.iter().enumerate().filter(|(row, _)| !self.taken[*row]);
-        let Some((worst, _)) = free.filter(|(_, miss)| **miss > tolerance).max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))
+        let free = self.residuals.iter().enumerate().filter(|(row, _)| !self.taken[*row]);
+        let Some((worst, _)) =
+            free.filter(|(_, law_residual)| **law_residual > tolerance).max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))
         else {
             return false;
         };
@@ -112,11 +113,11 @@ impl Patches {
         };
         self.blocks.extend(blocks_of(worst));
         let mut next = 0;
-        while next < self.blocks.len() && rows.len() < ROWS {
+        while next < self.blocks.len() && rows.len() < MAX_ROWS {
             for row in system.rows_of(self.blocks[next]) {
                 let index = *row as usize;
-                let counts = forces[index] != Vector3::zeros() || self.misses[index] > tolerance;
-                if counts && rows.len() < ROWS && !rows.contains(row) {
+                let counts = forces[index] != Vector3::zeros() || self.residuals[index] > tolerance;
+                if counts && rows.len() < MAX_ROWS && !rows.contains(row) {
                     rows.push(*row);
                     self.taken[index] = true;
                     for block in blocks_of(index) {

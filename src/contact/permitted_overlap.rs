@@ -23,7 +23,7 @@ pub struct PermittedOverlap {
     /// Arclength of the stations from the root, m, rising; the first zero or above. At least one.
     pub along: Vec<f64>,
     /// What is left of the wisp's radius at each station, 0 to 1.
-    pub wisp_shares: Vec<f64>,
+    pub wisp_fractions: Vec<f64>,
     /// How far the strand's surface may be in a body at each station, m, zero or above.
     pub sunk: Vec<f64>,
 }
@@ -38,7 +38,7 @@ impl PermittedOverlap {
         if count == 0 {
             return Err(Error::invalid(format!("{name}.along (count)"), count, "1 or more"));
         }
-        for (list, length) in [("wisp_shares", self.wisp_shares.len()), ("sunk", self.sunk.len())] {
+        for (list, length) in [("wisp_fractions", self.wisp_fractions.len()), ("sunk", self.sunk.len())] {
             if length != count {
                 return Err(Error::invalid(format!("{name}.{list} (count)"), length, format!("{count}, one a station")));
             }
@@ -49,17 +49,17 @@ impl PermittedOverlap {
                 return Err(Error::invalid(format!("{name}.along[{k}]"), along, format!("above {}", self.along[k - 1])));
             }
         }
-        for (k, share) in self.wisp_shares.iter().enumerate() {
-            if !(0.0..=1.0).contains(share) {
-                return Err(Error::invalid(format!("{name}.wisp_shares[{k}]"), share, "0 to 1"));
+        for (k, fraction) in self.wisp_fractions.iter().enumerate() {
+            if !(0.0..=1.0).contains(fraction) {
+                return Err(Error::invalid(format!("{name}.wisp_fractions[{k}]"), fraction, "0 to 1"));
             }
         }
         self.sunk.iter().enumerate().try_for_each(|(k, sunk)| check_not_negative(|| format!("{name}.sunk[{k}]"), *sunk))
     }
 
     /// What is left of the wisp's radius at an arclength (m), 0 to 1.
-    pub fn wisp_share(&self, along: f64) -> f64 {
-        self.between(&self.wisp_shares, along)
+    pub fn wisp_fraction(&self, along: f64) -> f64 {
+        self.between(&self.wisp_fractions, along)
     }
 
     /// How far the strand may be in a body at an arclength (m), m.
@@ -82,7 +82,7 @@ impl PermittedOverlap {
 
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
-        (self.along.capacity() + self.wisp_shares.capacity() + self.sunk.capacity()) * size_of::<f64>()
+        (self.along.capacity() + self.wisp_fractions.capacity() + self.sunk.capacity()) * size_of::<f64>()
     }
 }
 
@@ -92,10 +92,13 @@ mod tests {
 
     #[test]
     fn it_is_linear_between_stations_and_constant_beyond() {
-        let permitted_overlap =
-            PermittedOverlap { along: vec![0.01, 0.02, 0.04], wisp_shares: vec![1.0, 0.5, 0.0], sunk: vec![0.0, 0.002, 0.001] };
+        let permitted_overlap = PermittedOverlap {
+            along: vec![0.01, 0.02, 0.04],
+            wisp_fractions: vec![1.0, 0.5, 0.0],
+            sunk: vec![0.0, 0.002, 0.001],
+        };
         permitted_overlap.check("a").unwrap();
-        for (along, share, sunk) in [
+        for (along, fraction, sunk) in [
             (0.0, 1.0, 0.0),
             (0.015, 0.75, 0.001),
             (0.02, 0.5, 0.002),
@@ -103,26 +106,26 @@ mod tests {
             (0.04, 0.0, 0.001),
             (1.0, 0.0, 0.001),
         ] {
-            assert!((permitted_overlap.wisp_share(along) - share).abs() < 1e-12, "{along}");
+            assert!((permitted_overlap.wisp_fraction(along) - fraction).abs() < 1e-12, "{along}");
             assert!((permitted_overlap.sunk(along) - sunk).abs() < 1e-12, "{along}");
         }
-        let one = PermittedOverlap { along: vec![0.01], wisp_shares: vec![0.3], sunk: vec![0.1] };
+        let one = PermittedOverlap { along: vec![0.01], wisp_fractions: vec![0.3], sunk: vec![0.1] };
         one.check("a").unwrap();
-        assert_eq!([0.0, 0.01, 0.5].map(|along| one.wisp_share(along)), [0.3; 3]);
+        assert_eq!([0.0, 0.01, 0.5].map(|along| one.wisp_fraction(along)), [0.3; 3]);
     }
 
     #[test]
     fn bad_lists_are_named() {
-        let good = PermittedOverlap { along: vec![0.0, 0.1], wisp_shares: vec![1.0, 0.5], sunk: vec![0.0, 0.1] };
+        let good = PermittedOverlap { along: vec![0.0, 0.1], wisp_fractions: vec![1.0, 0.5], sunk: vec![0.0, 0.1] };
         for (bad, named) in [
             (PermittedOverlap::default(), "a.along (count)"),
             (PermittedOverlap { sunk: vec![0.0], ..good.clone() }, "a.sunk (count)"),
-            (PermittedOverlap { wisp_shares: vec![0.0; 3], ..good.clone() }, "a.wisp_shares (count)"),
+            (PermittedOverlap { wisp_fractions: vec![0.0; 3], ..good.clone() }, "a.wisp_fractions (count)"),
             (PermittedOverlap { along: vec![0.0, 0.0], ..good.clone() }, "a.along[1]"),
             (PermittedOverlap { along: vec![-1.0, 0.0], ..good.clone() }, "a.along[0]"),
             (PermittedOverlap { along: vec![0.0, f64::NAN], ..good.clone() }, "a.along[1]"),
-            (PermittedOverlap { wisp_shares: vec![0.0, 1.1], ..good.clone() }, "a.wisp_shares[1]"),
-            (PermittedOverlap { wisp_shares: vec![f64::NAN, 1.0], ..good.clone() }, "a.wisp_shares[0]"),
+            (PermittedOverlap { wisp_fractions: vec![0.0, 1.1], ..good.clone() }, "a.wisp_fractions[1]"),
+            (PermittedOverlap { wisp_fractions: vec![f64::NAN, 1.0], ..good.clone() }, "a.wisp_fractions[0]"),
             (PermittedOverlap { sunk: vec![0.0, -0.1], ..good.clone() }, "a.sunk[1]"),
         ] {
             let error = bad.check("a").unwrap_err().to_string();

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::touch::StrandCurve;
+use super::contact_point::StrandCurve;
 use crate::error::{Result, check_not_negative};
 use crate::workers::WorkerSet;
 
@@ -48,7 +48,7 @@ impl Wisp {
 }
 
 /// A piece bends by at most this, rad: two such arcs have one closest pair, unless they lie along each other.
-const MOST_BEND: f64 = 0.5;
+const MAX_BEND: f64 = 0.5;
 /// Less than this share of the contact radius off its chord, a piece may bend by more.
 const FINE: f64 = 0.05;
 
@@ -91,7 +91,7 @@ fn pieces_of(bend: f64, length: f64, radius: f64) -> usize {
         // A coil so tight that the whole of it is as good as its axis.
         return 1;
     }
-    let by_bend = bend * length / MOST_BEND;
+    let by_bend = bend * length / MAX_BEND;
     let by_sagitta = length * (bend / (8.0 * loose)).sqrt();
     (by_bend.min(by_sagitta).ceil() as usize).max(1)
 }

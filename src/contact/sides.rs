@@ -3,19 +3,19 @@
 
 use nalgebra::Vector3;
 
-use super::touches::MovingPiece;
+use super::strand_contacts::MovingPiece;
 
 /// Whether no point of one piece comes nearer than `room` (m) to one of the other between the step's start and now, all going straight there:
 /// some direction that is the way between the chords where they are nearest (`apart`: at the start, and now) parts the pieces at both times
 /// by more than that. All that is between a point's two places lies on the same side, so that it parts them all the way. False says nothing.
 pub(super) fn keep_sides(a: &MovingPiece, b: &MovingPiece, apart: [Vector3<f64>; 2], room: f64) -> bool {
     let room = room + a.sagitta + b.sagitta;
-    let parts = |way: &Vector3<f64>| {
+    let parts = |direction: &Vector3<f64>| {
         let least = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2]| {
-            let (low, high) = (a[0].dot(way).min(a[1].dot(way)), b[0].dot(way).max(b[1].dot(way)));
+            let (low, high) = (a[0].dot(direction).min(a[1].dot(direction)), b[0].dot(direction).max(b[1].dot(direction)));
             low - high
         };
-        let enough = room * way.norm();
+        let enough = room * direction.norm();
         least(&a.start, &b.start) > enough && least(&a.now, &b.now) > enough
     };
     parts(&apart[0]) || parts(&apart[1]) || parts(&(apart[0] + apart[1]))
@@ -90,7 +90,7 @@ mod tests {
             }
             let mut range = [k as f64 - 1.0, k as f64 + 1.0].map(|k| (k / TIMES as f64).clamp(0.0, 1.0));
             for _ in 0..45 {
-                let times = [1.0 / 3.0, 2.0 / 3.0].map(|share| range[0] + share * (range[1] - range[0]));
+                let times = [1.0 / 3.0, 2.0 / 3.0].map(|fraction| range[0] + fraction * (range[1] - range[0]));
                 let found = times.map(|t| distance(a, b, t));
                 least = least.min(found[0].min(found[1]));
                 if found[0] < found[1] {

@@ -1,7 +1,7 @@
 //! Strand against body: where a strand's elements touch a body, or soon may.
 //!
 //! Along an element the body's signed distance is a function of arclength. Its minima are found between nodes, from its values and slopes
-//! there, and refined on the exact helix; what overlaps a mesh between them is seen to triangle by triangle (`overlooked.rs`). Where a piece
+//! there, and refined on the exact helix; what overlaps a mesh between them is seen to triangle by triangle (`undetected_overlap.rs`). Where a piece
 //! of the element may have gone through the body within the step, its way is swept (`body_sweep.rs`), and the side that it came from counts.
 
 use std::cell::Cell;
@@ -11,12 +11,12 @@ use nalgebra::Vector3;
 use super::across_edge::across_edge;
 use super::body::BodyAt;
 use super::body_sweep;
+use super::contact_point::{ContactPoint, Partner, Place, StrandPath};
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
-use super::overlooked::{self, overlooked};
 use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
-use super::touch::{Partner, Place, StrandPath, Touch};
+use super::undetected_overlap;
 
 /// How much deeper than an element's end or its neighbour a minimum must be to count as a touch of its own, and to what it is found, m:
 /// once the touches are resolved, nothing in between is deeper than about twice this.
@@ -26,7 +26,7 @@ const PROMINENCE: f64 = 1e-6;
 const STEEP: f64 = 0.5;
 
 /// Most pieces into which an element is cut.
-const MOST_PIECES: usize = 64;
+const MAX_PIECES: usize = 64;
 
 /// How often a piece is halved where its ends do not tell what lies between.
 const DEEPEST_SPLIT: usize = 3;
@@ -76,7 +76,7 @@ impl PathBounds {
 
 /// Lists that are used again from call to call.
 #[derive(Debug, Clone, Default)]
-pub struct Scratch {
+pub struct BodySearchScratch {
     /// By body and element.
     regions: Vec<(u32, Vec<Region>)>,
     patch: Patch,
@@ -95,7 +95,7 @@ struct Piece {
     depth: usize,
 }
 
-impl Scratch {
+impl BodySearchScratch {
     /// What is known of a mesh about an element.
     fn region(&mut self, body: u32, element: usize) -> &mut Region {
         let place = match self.regions.iter().position(|(of, _)| *of == body) {
@@ -120,15 +120,15 @@ impl Scratch {
 /// nearer place (the end between two elements belongs to the first). A strand that went through the body during the step touches it from the side that it came from, with a
 /// negative gap. Distances are signed: a strand inside a solid is touched at any depth.
 #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
-pub fn touches(
+pub fn contacts(
     path: &StrandPath,
     bounds: &PathBounds,
     span: Span,
     radius: f64,
     body: &BodyAt,
     within: f64,
-    scratch: &mut Scratch,
-    out: &mut Vec<Touch>,
+    scratch: &mut BodySearchScratch,
+    out: &mut Vec<ContactPoint>,
 ) {
     let thickness = radius + body.thickness;
     let (margin, slack) = (thickness + within, turning_slack(bounds, body));
@@ -175,8 +175,8 @@ struct Search<'a, 'b> {
     inside: Option<bool>,
     /// Whether the element is the first that may touch: its left end is nobody's right end.
     first: bool,
-    scratch: &'b mut Scratch,
-    out: &'b mut Vec<Touch>,
+    scratch: &'b mut BodySearchScratch,
+    out: &'b mut Vec<ContactPoint>,
 }
 
 impl Search<'_, '_> {
@@ -263,8 +263,8 @@ impl Search<'_, '_> {
         let length = high - low;
         // A quarter of the thickness for the chord's sagitta, a quarter of a radian for its turn.
         let flat = (8.0 * (0.25 * self.thickness).max(2e-6) / bend).sqrt().min(0.25 / bend);
-        let longest = flat.min(self.body.shape.feature_length()).max(length / MOST_PIECES as f64);
-        let count = ((length / longest).ceil() as usize).clamp(1, MOST_PIECES);
+        let longest = flat.min(self.body.shape.feature_length()).max(length / MAX_PIECES as f64);
+        let count = ((length / longest).ceil() as usize).clamp(1, MAX_PIECES);
         let nodes = &mut self.scratch.nodes;
         nodes.clear();
         for node in 0..=count {
@@ -345,7 +345,7 @@ impl Search<'_, '_> {
                 }
             }
             if ground.mesh.is_some() {
-                self.overlooked(ground, path, &[pair[0], pair[1]], &close, from);
+                self.add_undetected_overlaps(ground, path, &[pair[0], pair[1]], &close, from);
             }
         }
         (self.scratch.pieces, self.scratch.close) = (pieces, close);
@@ -361,9 +361,9 @@ impl Search<'_, '_> {
             let found = self.scratch.more[place];
             let gap = found.value - self.thickness;
             // A deeper touch close by is worth more; what is left then is found when that is resolved.
-            let seen = self.out[from..].iter().any(|touch| {
-                let off = (touch.place.s - found.s).abs();
-                off < 2e-3 && touch.gap <= gap || off < 2e-4 && touch.gap <= gap + overlooked::TOLERANCE
+            let seen = self.out[from..].iter().any(|contact| {
+                let off = (contact.place.s - found.s).abs();
+                off < 2e-3 && contact.gap <= gap || off < 2e-4 && contact.gap <= gap + undetected_overlap::TOLERANCE
             });
             if !seen {
                 self.add(index, &found);
@@ -372,14 +372,15 @@ impl Search<'_, '_> {
     }
 
     /// Takes down what overlaps between two nodes on triangles that have no touch there.
-    fn overlooked(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
+    fn add_undetected_overlaps(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
         for ball in close {
             // A triangle has one minimum.
-            let of_it = |touch: &Touch| matches!(touch.partner, Partner::Body { feature, .. } if feature == ball.triangle);
-            if self.out[from..].iter().any(|touch| of_it(touch) && touch.place.s >= nodes[0].s) {
+            let of_it =
+                |contact: &ContactPoint| matches!(contact.partner, Partner::Body { feature, .. } if feature == ball.triangle);
+            if self.out[from..].iter().any(|contact| of_it(contact) && contact.place.s >= nodes[0].s) {
                 continue;
             }
-            if let Some(found) = overlooked(ground, path, nodes, ball, self.thickness) {
+            if let Some(found) = undetected_overlap::find(ground, path, nodes, ball, self.thickness) {
                 self.scratch.more.push(found);
             }
         }
@@ -390,7 +391,7 @@ impl Search<'_, '_> {
     }
 
     fn push(&mut self, index: usize, s: f64, surface: &Surface, gap: f64) {
-        self.out.push(Touch {
+        self.out.push(ContactPoint {
             place: Place { strand: self.path.index, element: index as u32, s },
             partner: Partner::Body { body: self.body.index, feature: surface.feature },
             normal: self.body.axes_end * surface.normal,
@@ -419,9 +420,9 @@ impl Search<'_, '_> {
         let least = if nearest.is_some() { 0.0 } else { ALIKE };
         let normal = self.body.axes_end * hit.normal;
         let mut kept = from;
-        let mut deepest: Option<Touch> = None;
-        for touch in from..self.out.len() {
-            let other = self.out[touch];
+        let mut deepest: Option<ContactPoint> = None;
+        for contact in from..self.out.len() {
+            let other = self.out[contact];
             if (other.place.s - s).abs() > piece || other.normal.dot(&normal) >= least {
                 self.out[kept] = other;
                 kept += 1;
@@ -433,8 +434,8 @@ impl Search<'_, '_> {
         match nearest {
             Some(nearest) => {
                 let gap = nearest.distance - self.thickness;
-                let is_beside = |out: &[Touch], gap: f64| {
-                    out.iter().any(|touch| (touch.place.s - s).abs() <= piece && touch.gap <= 0.5 * gap)
+                let is_beside = |out: &[ContactPoint], gap: f64| {
+                    out.iter().any(|contact| (contact.place.s - s).abs() <= piece && contact.gap <= 0.5 * gap)
                 };
                 // Outside there is none but those that are near.
                 if gap < 0.0 && !is_beside(&self.out[from..], gap) {

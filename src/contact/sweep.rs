@@ -119,10 +119,10 @@ pub(super) fn along_nodes(
     hits: &mut Vec<(f64, Surface)>,
 ) {
     for (s, before, now) in nodes {
-        let way = (now - before).norm();
+        let distance = (now - before).norm();
         let mut gone = 0.0;
-        while gone <= way {
-            let point = if way > 0.0 { before + (now - before) * (gone / way) } else { before };
+        while gone <= distance {
+            let point = if distance > 0.0 { before + (now - before) * (gone / distance) } else { before };
             let step = match ask(point) {
                 Ok(surface) => {
                     if surface.distance <= level {

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::bonds::Bonds;
+use super::bilateral_elimination::BilateralElimination;
 use super::contact_space::{ContactSpace, End, add_columns, read, read_block};
 use super::law::{Law, LawSolve};
 
@@ -26,7 +26,7 @@ pub struct Slot {
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
     /// Its index in the problem.
-    pub touch: usize,
+    pub constraint: usize,
     /// Where +λ acts.
     pub first: Slot,
     /// Where −λ acts.
@@ -34,7 +34,7 @@ pub struct Row {
     /// Its law's solve.
     pub solve: LawSolve,
     /// Displacement without the forces of any contact or ring (bonds hold), m.
-    pub free: Vector3<f64>,
+    pub unconstrained: Vector3<f64>,
     /// Its own response W, m/N.
     pub response: Matrix3<f64>,
 }
@@ -47,7 +47,7 @@ pub struct System {
     /// Displacements of all touched points under the rows' forces.
     pub displacements: Vec<f64>,
     /// The bonds' part.
-    pub bonds: Bonds,
+    pub bilateral: BilateralElimination,
     /// Blocks (strands, or strands that bonds join) with rows, ascending: where their rows begin in `block_rows`.
     blocks: Vec<u32>,
     block_rows: Vec<u32>,
@@ -65,36 +65,36 @@ const FIXED: f64 = 1e-12;
 impl System {
     /// Makes a problem ready.
     pub fn prepare(&mut self, space: &ContactSpace) {
-        self.bonds.eliminate(space);
+        self.bilateral.eliminate(space);
         self.rows.clear();
         self.displacements.clear();
         self.displacements.resize(space.coordinates(), 0.0);
-        for (index, touch) in space.touches().iter().enumerate() {
-            if matches!(touch.law, Law::Bond(_)) {
+        for (index, constraint) in space.constraints().iter().enumerate() {
+            if matches!(constraint.law, Law::Bilateral(_)) {
                 continue;
             }
-            let (first, second) = (self.slot(space, touch.first), touch.second.map(|end| self.slot(space, end)));
+            let (first, second) = (self.slot(space, constraint.first), constraint.second.map(|end| self.slot(space, end)));
             let own = |end: End| {
                 let block = space.block(end.strand as usize);
                 let at = 3 * end.point as usize;
                 read_block(&space.responses()[block.matrix..], block.size, at, at).trace()
             };
-            let (mut response, mut unbonded) = (self.block(space, &first, &first), own(touch.first));
-            let mut free = touch.free + self.bonds.carried(first.at);
-            if let (Some(second), Some(end)) = (&second, touch.second) {
+            let (mut response, mut unbonded) = (self.block(space, &first, &first), own(constraint.first));
+            let mut unconstrained = constraint.unconstrained + self.bilateral.carried(first.at);
+            if let (Some(second), Some(end)) = (&second, constraint.second) {
                 response += self.block(space, second, second);
                 unbonded += own(end);
-                free -= self.bonds.carried(second.at);
+                unconstrained -= self.bilateral.carried(second.at);
                 if second.base == first.base {
                     response -= self.block(space, &first, second) + self.block(space, second, &first);
                 }
             }
-            let bonded = first.reduced || second.is_some_and(|slot| slot.reduced);
-            if bonded && response.trace() <= FIXED * unbonded {
+            let constrained = first.reduced || second.is_some_and(|slot| slot.reduced);
+            if constrained && response.trace() <= FIXED * unbonded {
                 response = Matrix3::zeros();
             }
-            let solve = LawSolve::new(&touch.law, &response, space.step());
-            self.rows.push(Row { touch: index, first, second, solve, free, response });
+            let solve = LawSolve::new(&constraint.law, &response, space.step());
+            self.rows.push(Row { constraint: index, first, second, solve, unconstrained, response });
         }
         self.find_blocks();
     }
@@ -142,16 +142,16 @@ impl System {
 
     fn slot(&self, space: &ContactSpace, end: End) -> Slot {
         let block = space.block(end.strand as usize);
-        let base = self.bonds.base(end.strand as usize, block.base);
+        let base = self.bilateral.base(end.strand as usize, block.base);
         let at = base + 3 * end.point as usize;
-        match self.bonds.group_of(end.strand as usize) {
+        match self.bilateral.group_of(end.strand as usize) {
             Some(group) => Slot { base: group.base, size: group.size, at, reduced: true, matrix: group.matrix },
             None => Slot { base, size: block.size, at, reduced: false, matrix: block.matrix },
         }
     }
 
     fn block(&self, space: &ContactSpace, row: &Slot, column: &Slot) -> Matrix3<f64> {
-        let matrix = if row.reduced { self.bonds.reduced() } else { space.responses() };
+        let matrix = if row.reduced { self.bilateral.reduced() } else { space.responses() };
         read_block(&matrix[row.matrix..], row.size, row.at - row.base, column.at - column.base)
     }
 
@@ -181,7 +181,7 @@ impl System {
     /// Changes a row's force by `change`: displaces all points of its blocks.
     #[inline(always)]
     pub fn push(&mut self, space: &ContactSpace, index: usize, change: &Vector3<f64>) {
-        self.rows[index].push(space, &self.bonds, change, &mut self.displacements);
+        self.rows[index].push(space, &self.bilateral, change, &mut self.displacements);
     }
 }
 
@@ -230,7 +230,7 @@ impl Row {
     /// Its relative displacement where its blocks' coordinates are displaced by `displacements`.
     #[inline(always)]
     pub fn relative(&self, displacements: &impl Displacements) -> Vector3<f64> {
-        let mut u = self.free + read(displacements.rest(self.first.at), 0);
+        let mut u = self.unconstrained + read(displacements.rest(self.first.at), 0);
         if let Some(second) = &self.second {
             u -= read(displacements.rest(second.at), 0);
         }
@@ -239,17 +239,29 @@ impl Row {
 
     /// Adds what a change of its force displaces to its blocks' coordinates.
     #[inline(always)]
-    pub fn push(&self, space: &ContactSpace, bonds: &Bonds, change: &Vector3<f64>, displacements: &mut impl Displacements) {
-        push_end(space, bonds, &self.first, change, displacements);
+    pub fn push(
+        &self,
+        space: &ContactSpace,
+        bilateral: &BilateralElimination,
+        change: &Vector3<f64>,
+        displacements: &mut impl Displacements,
+    ) {
+        push_end(space, bilateral, &self.first, change, displacements);
         if let Some(second) = &self.second {
-            push_end(space, bonds, second, &-change, displacements);
+            push_end(space, bilateral, second, &-change, displacements);
         }
     }
 }
 
 #[inline(always)]
-fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut impl Displacements) {
-    let matrix = if slot.reduced { bonds.reduced() } else { space.responses() };
+fn push_end(
+    space: &ContactSpace,
+    bilateral: &BilateralElimination,
+    slot: &Slot,
+    change: &Vector3<f64>,
+    displacements: &mut impl Displacements,
+) {
+    let matrix = if slot.reduced { bilateral.reduced() } else { space.responses() };
     let columns = slot.matrix + (slot.at - slot.base) * slot.size;
     add_columns(&matrix[columns..], change, &mut displacements.rest_mut(slot.base)[..slot.size]);
 }

@@ -160,7 +160,7 @@ impl Solver {
                     ContactPartner::Strand { strand, .. } => self.slots.index(strand).is_some(),
                 }
         };
-        events.note(self.holding.contacts(), element, lives);
+        events.note(self.constrained_substep.contacts(), element, lives);
         self.events = Some(events);
     }
 

@@ -1,16 +1,16 @@
 //! Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 
 use super::constraints::Constraint;
+use super::contact_detection::{NEAR, pair_options, tied};
 use super::id::{SlotMap, StrandId};
 use super::strand::Strand;
-use super::touching::{NEAR, pair_options, tied};
 use super::workers::WorkerSet;
 use crate::contact::body::BodyAt;
+use crate::contact::contact_point::{ContactPoint, Partner, Place, StrandCurve, StrandPath};
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::options::StrandContact;
 use crate::contact::strand_body::{self, PathBounds, Span};
-use crate::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use crate::contact::touches::TouchScratch;
+use crate::contact::strand_contacts::PairScratch;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
@@ -47,7 +47,7 @@ pub(super) struct CurrentScene<'a> {
 struct Curve {
     elements: Vec<ElementState<f64>>,
     /// Its overlaps with bodies.
-    deep: Vec<Touch>,
+    deep: Vec<ContactPoint>,
 }
 
 impl CurrentScene<'_> {
@@ -71,7 +71,7 @@ impl CurrentScene<'_> {
         let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
         strand.permitted_overlap.as_deref().map_or((1.0, 0.0), |permitted_overlap| {
             let along = along();
-            (permitted_overlap.wisp_share(along), permitted_overlap.sunk(along))
+            (permitted_overlap.wisp_fraction(along), permitted_overlap.sunk(along))
         })
     }
 
@@ -88,16 +88,16 @@ impl CurrentScene<'_> {
             }
             let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = *contact;
             let path = path(*index as u32, state.root.origin, &curve.elements);
-            let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::Scratch::default());
+            let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::BodySearchScratch::default());
             bounds.update(&path);
             for body in self.bodies.iter().filter(|body| body.meets(groups, mask)) {
-                strand_body::touches(&path, &bounds, Span { exempt }, radius, body, NEAR, &mut scratch, &mut curve.deep);
+                strand_body::contacts(&path, &bounds, Span { exempt }, radius, body, NEAR, &mut scratch, &mut curve.deep);
             }
         });
         let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);
         let mut deep: Vec<DeepPlace> = in_bodies
-            .filter(|touch| touch.gap < 0.0)
-            .map(|touch| DeepPlace { place: touch.place, partner: touch.partner, distance: touch.gap, room: 0.0 })
+            .filter(|contact| contact.gap < 0.0)
+            .map(|contact| DeepPlace { place: contact.place, partner: contact.partner, distance: contact.gap, room: 0.0 })
             .collect();
         if self.hair {
             self.deep_in_hair(&curves, &asked, &mut deep);
@@ -150,16 +150,16 @@ impl CurrentScene<'_> {
         if pairs.set(&wisps, &options).and_then(|()| pairs.set_ties(&ties)).and_then(|()| pairs.update(&paths)).is_err() {
             return;
         }
-        let (mut scratch, mut touches) = (TouchScratch::default(), Vec::new());
+        let (mut scratch, mut contacts) = (PairScratch::default(), Vec::new());
         for group in pairs.groups().iter().filter(|group| [group.a, group.b].iter().any(|wisp| asked(of[*wisp as usize]))) {
-            touches.clear();
-            pairs.touches(group, &paths, 0.0, &mut scratch, &mut touches);
-            for touch in touches.iter().filter(|touch| touch.gap < 0.0) {
-                let Partner::Strand(other) = touch.partner else { continue };
+            contacts.clear();
+            pairs.contacts(group, &paths, 0.0, &mut scratch, &mut contacts);
+            for contact in contacts.iter().filter(|contact| contact.gap < 0.0) {
+                let Partner::Strand(other) = contact.partner else { continue };
                 let at = |path: &StrandPath, place: &Place| path.now.position(place.element as usize, place.s);
-                let apart = at(&paths[group.a as usize], &touch.place) - at(&paths[group.b as usize], &other);
-                let distance = touch.normal.dot(&apart);
-                deep.push(DeepPlace { place: touch.place, partner: touch.partner, distance, room: distance - touch.gap });
+                let apart = at(&paths[group.a as usize], &contact.place) - at(&paths[group.b as usize], &other);
+                let distance = contact.normal.dot(&apart);
+                deep.push(DeepPlace { place: contact.place, partner: contact.partner, distance, room: distance - contact.gap });
             }
         }
     }

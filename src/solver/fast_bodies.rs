@@ -63,7 +63,7 @@ impl Solver {
             body.body.ready(h);
         }
         for constraint in &mut self.constraints {
-            constraint.way.begin(h);
+            constraint.motion.begin(h);
         }
         for strand in &mut self.strands {
             strand.begin_root_move(h);

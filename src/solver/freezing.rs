@@ -108,7 +108,7 @@ impl Strand {
             }
             let gap = known.map_or(f64::INFINITY, |known| frozen.bodies[known].gap);
             let threshold = REACH.min(gap - NEARER);
-            let motion = body.on_way(places);
+            let motion = body.with_motion(places);
             if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&motion.bounds)
                 && comes_nearer(frozen, &motion, contact.radius, threshold)
             {
@@ -137,7 +137,7 @@ fn comes_nearer(frozen: &Frozen, motion: &BodyAt, radius: f64, threshold: f64) -
             origin: motion.start.origin.lerp(&motion.end.origin, part),
             rotation: crate::math::rotation::from_rotation_vector(turn * part) * motion.start.rotation,
         };
-        let gap = frozen.gap(&motion.on_way([at, at]), radius, within.max(0.0));
+        let gap = frozen.gap(&motion.with_motion([at, at]), radius, within.max(0.0));
         if gap < threshold {
             return true;
         }
@@ -177,7 +177,7 @@ impl Solver {
                 let inverse = strand.state.root.inverse();
                 for body in bodies.iter().filter(|body| body.meets(contact.groups, contact.mask)) {
                     let place = inverse.compose(&body.start);
-                    let gap = frozen.gap(&body.on_way([place, place]), contact.radius, 2.0 * REACH);
+                    let gap = frozen.gap(&body.with_motion([place, place]), contact.radius, 2.0 * REACH);
                     if gap.is_finite() {
                         frozen.bodies.push(Known { body: self.bodies[body.index as usize].id, place, gap });
                     }
@@ -195,7 +195,7 @@ impl Solver {
             strand.frozen = Some(Box::new(frozen));
         }
         // The warm start of their contacts is void.
-        self.holding.forget();
+        self.constrained_substep.forget();
         Ok(())
     }
 

@@ -65,7 +65,7 @@ impl Solver {
             let strand = &strands[*index];
             *made = Some(on_elements(strand, lengths(strand), rules));
         });
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         let (gravity, mut kinematics) = (self.options.gravity, Kinematics::default());
         let mut reports = Vec::with_capacity(made.len());
         for (index, made) in made {

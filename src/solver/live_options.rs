@@ -60,7 +60,7 @@ impl Solver {
             });
         }
         if before.contact != self.options.contact {
-            self.holding.forget_pairs();
+            self.constrained_substep.forget_pairs();
         }
         if before.gravity != self.options.gravity {
             self.update_energies();

@@ -2,7 +2,7 @@
 
 use super::Solver;
 use super::id::{self, StrandId};
-use super::strand::{Authored, Holds, Strand};
+use super::strand::{Authored, Constrained, Strand};
 use crate::error::{Error, Result};
 use crate::groom::pose::{Plane, mirrored};
 use crate::math::vector::Vec3;
@@ -38,7 +38,7 @@ impl Solver {
             out.push(strand.id);
             self.strands.push(strand);
         }
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         Ok(out)
     }
 }
@@ -85,7 +85,7 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         root_move: None,
         energies: *energies,
         last: *last,
-        holds: Holds::No,
+        constrained: Constrained::No,
         touched: false,
         contact: contact.clone(),
         permitted_overlap: permitted_overlap.clone(),

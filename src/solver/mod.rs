@@ -7,7 +7,10 @@
 //! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
 //! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
 //! - `clips.rs`: Clips: hold strands where they are in a box, and move with the box.
+//! - `constrained_substep.rs`: The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton iteration.
 //! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
+//! - `contact_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
+//! - `contact_detection.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
 //! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
 //! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
 //! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
@@ -18,7 +21,6 @@
 //! - `fast_bodies.rs`: Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the whole scene.
 //! - `freezing.rs`: Frozen strands: a fixed style.
 //! - `heating.rs`: Heat: hair takes on its shape between hot plates or on a hot barrel.
-//! - `holding.rs`: The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton iteration.
 //! - `id.rs`: Checked identifiers: a slot, its generation, and a mark of the solver.
 //! - `jumps.rs`: Root jumps: roots that move farther within a call of `Solver::step` than their strand can follow.
 //! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
@@ -39,8 +41,6 @@
 //! - `snapshot.rs`: Snapshots: a solver's state as bytes, little-endian, versioned and checksummed; the same image on every machine.
 //! - `stepping.rs`: Steps all strands through time and reports the results.
 //! - `strand.rs`: One strand of a solver: constants, state, the root's motion, and the result of the last step.
-//! - `touch_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
-//! - `touching.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
 //! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
 //! - `trimming.rs`: Cuts simulated strands and lets them grow.
 //! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
@@ -51,7 +51,10 @@ pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
 pub mod clips;
+mod constrained_substep;
 pub mod constraints;
+pub mod contact_compliance;
+mod contact_detection;
 pub mod contact_events;
 mod crossing;
 pub mod debug_draw;
@@ -62,7 +65,6 @@ pub(crate) mod editing;
 mod fast_bodies;
 mod freezing;
 pub mod heating;
-mod holding;
 pub mod id;
 mod jumps;
 mod level_of_detail;
@@ -83,8 +85,6 @@ mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
-pub mod touch_compliance;
-mod touching;
 mod trial_steps;
 mod trimming;
 mod wind;
@@ -109,10 +109,10 @@ use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use crate::platform::Instant;
 use bodies::SceneBody;
+use constrained_substep::ConstrainedSubstep;
 use constraints::Constraint;
 use contact_events::ContactEvents;
 use definition::SolverOptions;
-use holding::Holding;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
 use stepping::BodiesAtWork;
@@ -145,7 +145,7 @@ pub struct Solver {
     workers: WorkerSet,
     constraint_slots: SlotMap<ConstraintId>,
     constraints: Vec<Constraint>,
-    holding: Box<Holding>,
+    constrained_substep: Box<ConstrainedSubstep>,
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
     bodies_at_work: BodiesAtWork,
@@ -182,7 +182,7 @@ impl Solver {
             workers,
             constraint_slots: SlotMap::new(mark as u16),
             constraints: Vec::new(),
-            holding: Box::default(),
+            constrained_substep: Box::default(),
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
             bodies_at_work: BodiesAtWork::default(),

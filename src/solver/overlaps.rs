@@ -5,8 +5,8 @@ use super::Solver;
 use super::deep_places::CurrentScene;
 use super::id::{BodyId, StrandId};
 use crate::contact::body::BodyAt;
+use crate::contact::contact_point::Partner;
 use crate::contact::permitted_overlap::PermittedOverlap;
-use crate::contact::touch::Partner;
 use crate::error::{Error, Result};
 
 /// The depth of a strand in others and in bodies.
@@ -108,7 +108,7 @@ impl Solver {
                     for end in (0..2).filter(|end| gives[*end] && give > 0.0) {
                         let (index, element) = (ends[end].strand as usize, ends[end].element as usize);
                         let permitted_overlap = made[index].get_or_insert_with(|| material_points(index));
-                        for fraction in &mut permitted_overlap.wisp_shares[element..element + 2] {
+                        for fraction in &mut permitted_overlap.wisp_fractions[element..element + 2] {
                             *fraction = fraction.min((left / give).max(0.0));
                         }
                     }
@@ -193,5 +193,5 @@ fn none_at(lengths: &[f64]) -> PermittedOverlap {
         *along += length;
         Some(*along)
     }));
-    PermittedOverlap { wisp_shares: vec![1.0; along.len()], sunk: vec![0.0; along.len()], along }
+    PermittedOverlap { wisp_fractions: vec![1.0; along.len()], sunk: vec![0.0; along.len()], along }
 }

@@ -92,7 +92,7 @@ impl Solver {
             self.slots.remove(*id);
         }
         let Some(first) = indices.iter().min() else { return Ok(()) };
-        self.holding.forget();
+        self.constrained_substep.forget();
         let mut index = 0;
         self.strands.retain(|_| {
             index += 1;

@@ -184,7 +184,7 @@ impl Solver {
             if *lengths != *strand.model.lengths {
                 strand.model = StrandModel::of_section(lengths, natural, strand.model.section().clone());
                 strand.authored = None;
-                self.holding.forget();
+                self.constrained_substep.forget();
             }
             self.put_with(index, rows, None, &mut kinematics);
         }

@@ -3,7 +3,7 @@
 //! Among equal pack keys strands are packed by their last numbers of iterations, so that a pack does not wait for one of its
 //! strands. The other strands of a pack do not affect a strand's result.
 
-use super::strand::{self, Holds, Strand, Tally};
+use super::strand::{self, Constrained, Strand, Tally};
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
@@ -28,7 +28,7 @@ pub(super) struct TrialTally<'a> {
 
 impl TrialTally<'_> {
     fn add(&mut self, index: usize, strand: &Strand, outcome: &StrandOutcome) {
-        if strand.holds == Holds::OnTrial {
+        if strand.constrained == Constrained::OnTrial {
             self.on_trial[index] = *outcome;
         } else {
             self.all.add(outcome);
@@ -36,7 +36,7 @@ impl TrialTally<'_> {
     }
 }
 
-/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`holding`). If
+/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`constrained_substep`). If
 /// `meter` has already halted the substep, strands move with their roots.
 pub(super) fn take(
     strands: &mut [Strand],
@@ -57,11 +57,11 @@ pub(super) fn take(
         } else {
             strand.step_home(h, setting.rules)
         });
-        strand.holds = Holds::Yes;
+        strand.constrained = Constrained::Yes;
     }
     take_present(strands, setting, h, set, tally, scratch, meter);
     for index in &aside {
-        strands[*index].holds = Holds::No;
+        strands[*index].constrained = Constrained::No;
     }
 }
 
@@ -76,19 +76,19 @@ fn take_present(
     meter: &Meter,
 ) {
     if meter.is_halted() {
-        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_held()) {
+        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_constrained()) {
             let outcome = strand.go_with_root(h, &[]);
             tally.add(index, strand, &outcome);
         }
         return;
     }
     let width = packs::width(setting.options.precision, set);
-    for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
+    for strand in strands.iter_mut().filter(|strand| !strand.is_constrained()) {
         strand.begin_root_move(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
         for index in 0..strands.len() {
-            if !strands[index].is_held() {
+            if !strands[index].is_constrained() {
                 take_one(strands, index, setting, h, tally, scratch);
             }
         }
@@ -99,7 +99,7 @@ fn take_present(
     let mut count = 0;
     for index in 0..strands.len() {
         let strand = &strands[index];
-        if strand.is_held() {
+        if strand.is_constrained() {
             continue;
         }
         if strand.state.subdivision.min(levels) > 0 {

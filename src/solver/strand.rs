@@ -44,7 +44,7 @@ pub(super) struct Strand {
     /// The last substep.
     pub last: SubstepResult,
     /// Whether contacts or constraints may act on it in this substep.
-    pub holds: Holds,
+    pub constrained: Constrained,
     /// Whether it was near something in the last substep.
     pub touched: bool,
     /// Its contact parameters; `None` for no contact.
@@ -59,7 +59,7 @@ pub(super) struct Strand {
 
 /// Whether something constrains a strand in a substep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Holds {
+pub(super) enum Constrained {
     /// Nothing does: it steps side by side with others.
     No,
     /// Only a body near by may.
@@ -102,7 +102,7 @@ pub(super) struct Authored {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Tally {
     pub iterations: u64,
-    pub most_iterations: u32,
+    pub max_iterations: u32,
     pub unconverged: u32,
     pub quarantined: u32,
     pub residual: f64,
@@ -117,7 +117,7 @@ impl Tally {
     /// Counts one substep.
     pub fn add(&mut self, outcome: &StrandOutcome) {
         self.iterations += u64::from(outcome.iterations);
-        self.most_iterations = self.most_iterations.max(outcome.iterations);
+        self.max_iterations = self.max_iterations.max(outcome.iterations);
         self.quarantined += u32::from(outcome.quarantined);
         self.unconverged += u32::from(!outcome.converged && !outcome.quarantined);
         self.residual = self.residual.max(outcome.residual);
@@ -130,7 +130,7 @@ impl Tally {
     /// Counts other strands' substeps.
     pub fn merge(&mut self, other: &Self) {
         self.iterations += other.iterations;
-        self.most_iterations = self.most_iterations.max(other.most_iterations);
+        self.max_iterations = self.max_iterations.max(other.max_iterations);
         self.quarantined += other.quarantined;
         self.unconverged += other.unconverged;
         self.residual = self.residual.max(other.residual);
@@ -170,7 +170,7 @@ impl Strand {
             root_move: None,
             energies: Energies::default(),
             last: SubstepResult::default(),
-            holds: Holds::No,
+            constrained: Constrained::No,
             touched: false,
             contact: None,
             permitted_overlap: None,
@@ -191,8 +191,8 @@ impl Strand {
     }
 
     /// Whether it steps through this substep as a constrained strand.
-    pub fn is_held(&self) -> bool {
-        matches!(self.holds, Holds::Perhaps | Holds::Yes)
+    pub fn is_constrained(&self) -> bool {
+        matches!(self.constrained, Constrained::Perhaps | Constrained::Yes)
     }
 
     pub fn status(&self) -> StrandStatus {

@@ -77,7 +77,7 @@ impl Solver {
             return;
         }
         // The warm start's contacts are at arclengths that may be gone.
-        self.holding.forget();
+        self.constrained_substep.forget();
         let mut kinematics = Kinematics::default();
         for Trimmed { index, model, state, authored } in made {
             let strand = &mut self.strands[index];

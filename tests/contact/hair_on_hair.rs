@@ -343,7 +343,7 @@ fn a_braid_stays_one() {
         [(0, 1), (1, 2), (2, 0)].map(|(a, b)| linking(&lines[a], &lines[b]))
     };
     let before = wound(&solver);
-    let (mut unconverged, mut deepest, mut untied, mut touches) = (0, 0.0_f64, 0.0_f64, 0);
+    let (mut unconverged, mut deepest, mut untied, mut contacts) = (0, 0.0_f64, 0.0_f64, 0);
     for step in 1..=90 {
         let turn = 2.0 * PI * f64::from(step) / 90.0;
         let by = Vector3::new(0.006 * turn.sin(), 0.012 * (2.0 * turn).sin(), 0.01 * (1.0 - turn.cos()));
@@ -352,11 +352,11 @@ fn a_braid_stays_one() {
         unconverged += report.contact.unconverged;
         deepest = deepest.max(report.contact.penetration);
         untied = band.iter().map(|pin| solver.constraint_state(*pin).unwrap().error).fold(untied, f64::max);
-        touches = touches.max(solver.contacts().len());
+        contacts = contacts.max(solver.contacts().len());
     }
     let after = wound(&solver);
-    println!("{before:?} {after:?}, {touches} touches, {unconverged} unconverged, {deepest:e} m deep, untied by {untied:e} m");
-    assert!(touches >= 6, "{touches}");
+    println!("{before:?} {after:?}, {contacts} touches, {unconverged} unconverged, {deepest:e} m deep, untied by {untied:e} m");
+    assert!(contacts >= 6, "{contacts}");
     assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 0.1), "{before:?} {after:?}");
     assert!(untied < 1e-8 && deepest < 2e-5 && unconverged == 0, "{untied:e} {deepest:e} {unconverged}");
 }
@@ -434,7 +434,7 @@ fn what_touches_nothing_moves_as_without_contact() {
             solver.set_root_frames(&ids, &frames, 1.0 / 60.0).unwrap();
             let report = solver.step(1.0 / 60.0, 2).unwrap();
             bits.extend([report.energies.kinetic, report.energies.elastic, report.mean_iterations, report.max_residual]);
-            bits.push(f64::from(report.contact.touches + report.contact.iterations));
+            bits.push(f64::from(report.contact.contacts + report.contact.iterations));
         }
         for id in &ids {
             let (wrench, energies) = (solver.root_wrench(*id).unwrap(), solver.energies(*id).unwrap());

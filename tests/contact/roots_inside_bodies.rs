@@ -41,7 +41,7 @@ fn a_root_on_the_surface_is_reported_and_does_not_affect_the_strand() {
         let (mut solver, id, floor, weight) = scene(model, 30e-6, 1.5, StrandContact::default());
         for (step, report) in steps(&mut solver, 30).iter().enumerate() {
             let contact = report.contact;
-            assert_eq!((report.unconverged, contact.unconverged, contact.touches), (0, 0, 0), "{model:?} {step}: {report:?}");
+            assert_eq!((report.unconverged, contact.unconverged, contact.contacts), (0, 0, 0), "{model:?} {step}: {report:?}");
             assert_eq!(contact.roots_inside, 1, "{model:?} {step}: {report:?}");
             assert!((contact.penetration - (RADIUS - 30e-6)).abs() < 1e-12, "{model:?} {step}: {report:?}");
         }
@@ -101,7 +101,7 @@ fn permitted_roots_are_not_reported() {
         let contact = steps(&mut solver, 2)[1].contact;
         assert_eq!((contact.roots_inside, contact.unconverged), (0, 0), "{model:?}");
         let (mut solver, id, ..) = scene(model, -1e-3, 1.5, StrandContact::default());
-        let sunk = PermittedOverlap { along: vec![0.0, 0.01], wisp_shares: vec![1.0; 2], sunk: vec![2e-3; 2] };
+        let sunk = PermittedOverlap { along: vec![0.0, 0.01], wisp_fractions: vec![1.0; 2], sunk: vec![2e-3; 2] };
         solver.set_permitted_overlaps(&[id], &[Some(sunk)]).unwrap();
         assert_eq!(steps(&mut solver, 2)[1].contact.roots_inside, 0, "{model:?}");
     }

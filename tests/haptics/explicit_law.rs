@@ -23,9 +23,9 @@ fn a_resistance_is_the_sum_of_the_formula_at_each_touch() {
         let (beta, f) = (1e-5 * f64::from(k + 1), 3e-6 * f64::from(k));
         resistance.add(&tangent, &arm, beta, f);
         // F = β ṫ⊥ + f ṫ∥, with the velocity of the tool's point.
-        let at_touch: Vector3<f64> = velocity + spin.cross(&arm);
-        let along = tangent * tangent.dot(&at_touch);
-        let on_strand = (at_touch - along) * beta + along * f;
+        let at_contact: Vector3<f64> = velocity + spin.cross(&arm);
+        let along = tangent * tangent.dot(&at_contact);
+        let on_strand = (at_contact - along) * beta + along * f;
         force -= on_strand;
         torque -= arm.cross(&on_strand);
     }

@@ -96,7 +96,7 @@ impl Knots {
 
     /// What is left of the sum of the radii, `radii` (m), where points at these arclengths of two strands touch: 1 away from knots of theirs,
     /// less beside one, and none at all next to it.
-    pub fn share_left(&self, strands: [u32; 2], along: [f64; 2], radii: f64) -> Option<f64> {
+    pub fn fraction_left(&self, strands: [u32; 2], along: [f64; 2], radii: f64) -> Option<f64> {
         let mut left = 1.0_f64;
         for a in self.of(strands[0]) {
             for b in self.of(strands[1]).iter().filter(|b| b.knot == a.knot) {
@@ -133,7 +133,7 @@ mod tests {
         let mut knots = Knots::default();
         let ties = [tie(0, 1, [0.1, 0.1]), tie(2, 1, [0.08, 0.1005]), tie(3, 1, [0.05, 0.02])];
         knots.set(&ties, 5, |_| 1e-3).unwrap();
-        let left = |a, b, along| knots.share_left([a, b], along, 2e-3);
+        let left = |a, b, along| knots.fraction_left([a, b], along, 2e-3);
         let three = 1.5_f64.sqrt();
         // In the knot of 0, 1 and 2, whichever way round; half way out of it; and away from it along either strand.
         assert_eq!(left(0, 2, [0.1, 0.08]), None);
@@ -160,7 +160,7 @@ mod tests {
         ] {
             let error = knots.set(&[tie(0, 1, [0.0, 0.0]), bad], 2, |_| 1e-3).unwrap_err().to_string();
             assert!(error.contains(named), "{error}");
-            assert_eq!(knots.share_left([0, 1], [0.1, 0.1], 1e-3), None);
+            assert_eq!(knots.fraction_left([0, 1], [0.1, 0.1], 1e-3), None);
         }
     }
 }

@@ -155,12 +155,12 @@ impl ContactSolve {
 
     /// See [`super::LawSolve::solve`]; `last`: see [`secular`].
     #[inline(always)]
-    pub(super) fn solve(&mut self, free: Vector3<f64>, last: f64) -> Vector3<f64> {
+    pub(super) fn solve(&mut self, unconstrained: Vector3<f64>, last: f64) -> Vector3<f64> {
         if self.least == f64::MIN_POSITIVE {
             // Nothing moves here, whatever the force.
             return Vector3::zeros();
         }
-        let b = self.frame * free;
+        let b = self.frame * unconstrained;
         let b = [b.x + self.depth.shift, b.y, b.z];
         let local = match self.friction {
             Local::None => {

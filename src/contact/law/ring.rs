@@ -81,12 +81,12 @@ impl RingSolve {
 
     /// See [`super::LawSolve::solve`].
     #[inline(always)]
-    pub(super) fn solve(&self, free: Vector3<f64>) -> Vector3<f64> {
-        let b = self.sides.map(|side| side.dot(&free));
+    pub(super) fn solve(&self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        let b = self.sides.map(|side| side.dot(&unconstrained));
         let p = [-self.stiffness[0] * b[0], -self.stiffness[1] * b[1]];
         let q = self.carried;
         // W_t⊥ W_⊥⁻¹ b_⊥ = −q·b.
-        let drive = self.tangent.dot(&free) + q[0] * b[0] + q[1] * b[1];
+        let drive = self.tangent.dot(&unconstrained) + q[0] * b[0] + q[1] * b[1];
         let holding = if self.along > 0.0 { -drive / self.along } else { 0.0 };
         let mu = self.friction[usize::from(holding > 0.0)];
         let side = |x: f64| [p[0] + q[0] * x, p[1] + q[1] * x];

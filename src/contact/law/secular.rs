@@ -1,7 +1,7 @@
 //! The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
 /// Most evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in fewer.
-const MOST: u32 = 200;
+const MAX_EVALUATIONS: u32 = 200;
 /// A step of Newton's that changes x by less than this part of it is the last, since what it leaves of such a change is its square: a rounding,
 pub(super) const EXACT: f64 = 1e-10;
 /// or enough for who asks again, beginning there: sweeps, of a sixth less time so.
@@ -14,7 +14,7 @@ pub(super) const NEAR: f64 = 1e-3;
 pub(super) fn root(least: f64, guess: f64, last: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (least, f64::INFINITY);
     let mut x = if guess > least && guess.is_finite() { guess } else { 2.0 * least };
-    for _ in 0..MOST {
+    for _ in 0..MAX_EVALUATIONS {
         let (value, slope) = f(x);
         if value.abs() <= 4.0 * f64::EPSILON {
             return x;

@@ -15,7 +15,7 @@ use crate::solver::freezing::Frozen;
 use crate::solver::id::StrandId;
 use crate::solver::report::Energies;
 use crate::solver::sections::Sections;
-use crate::solver::strand::{Holds, Strand, SubstepResult};
+use crate::solver::strand::{Constrained, Strand, SubstepResult};
 use crate::step::state::{History, StrandState};
 
 /// What a strand's first word says.
@@ -105,15 +105,15 @@ fn flags_of(strand: &Strand, before: Option<&Strand>) -> u32 {
         flag::SAME_STEP,
         state.history.step > 0.0 && same(&|before| before.state.history.step.to_bits() == state.history.step.to_bits()),
     );
-    let times = |strand: &Strand| strand.root_move.as_deref().map(|(way, elapsed)| bits([way.duration, *elapsed]));
+    let times = |strand: &Strand| strand.root_move.as_deref().map(|(motion, elapsed)| bits([motion.duration, *elapsed]));
     set(flag::HAS_WAY, strand.root_move.is_some());
     set(flag::SAME_TIMES, strand.root_move.is_some() && same(&|before| times(before) == times(strand)));
     set(flag::HAS_AUTHORED, strand.authored.is_some());
     set(flag::HAS_ALLOWANCE, strand.permitted_overlap.is_some());
     set(flag::HAS_ASTRAY, strand.divergence.is_some() || strand.frozen.is_some());
-    if let Some((way, _)) = strand.root_move.as_deref() {
-        flags |= repeats(&way.from, &state.root, past_root(strand), flag::FROM_ROOT, flag::FROM_PAST);
-        flags |= repeats(&way.to, &state.root, past_root(strand), flag::TO_ROOT, flag::TO_PAST);
+    if let Some((motion, _)) = strand.root_move.as_deref() {
+        flags |= repeats(&motion.from, &state.root, past_root(strand), flag::FROM_ROOT, flag::FROM_PAST);
+        flags |= repeats(&motion.to, &state.root, past_root(strand), flag::TO_ROOT, flag::TO_PAST);
     }
     flags
 }
@@ -153,17 +153,17 @@ impl Writer {
             self.velocities(&state.history.velocities);
             self.frame(&state.history.root);
         }
-        if let Some((way, elapsed)) = strand.root_move.as_deref() {
+        if let Some((motion, elapsed)) = strand.root_move.as_deref() {
             if !has(flag::FROM_ROOT) && !has(flag::FROM_PAST) {
-                self.frame(&way.from);
+                self.frame(&motion.from);
             }
             if !has(flag::TO_ROOT) && !has(flag::TO_PAST) {
-                self.frame(&way.to);
+                self.frame(&motion.to);
             }
-            self.vector(way.velocity);
-            self.vector(way.angular_velocity);
+            self.vector(motion.velocity);
+            self.vector(motion.angular_velocity);
             if !has(flag::SAME_TIMES) {
-                self.f64(way.duration);
+                self.f64(motion.duration);
                 self.f64(*elapsed);
             }
         }
@@ -277,7 +277,7 @@ impl Reader<'_> {
             root_move,
             energies,
             last,
-            holds: Holds::No,
+            constrained: Constrained::No,
             touched: has(flag::TOUCHED),
             contact,
             permitted_overlap,
@@ -306,14 +306,14 @@ impl Reader<'_> {
             (true, false) => Ok(state.root),
             (false, true) if state.history.step > 0.0 => Ok(state.history.root),
             (false, false) => self.frame(),
-            _ => Err(bad("a root's way repeats a pose that there is not")),
+            _ => Err(bad("a root's motion repeats a pose that there is not")),
         };
         let (from, to) = (pose(flag::FROM_ROOT, flag::FROM_PAST)?, pose(flag::TO_ROOT, flag::TO_PAST)?);
         let (velocity, angular_velocity) = (self.vector()?, self.vector()?);
         let (duration, elapsed) = if flags & flag::SAME_TIMES != 0 {
-            let way = before.and_then(|before| before.root_move.as_deref());
-            let (way, elapsed) = way.ok_or_else(|| bad("a root's way takes as long as one that there is not"))?;
-            (way.duration, *elapsed)
+            let motion = before.and_then(|before| before.root_move.as_deref());
+            let (motion, elapsed) = motion.ok_or_else(|| bad("a root's motion takes as long as one that there is not"))?;
+            (motion.duration, *elapsed)
         } else {
             (self.f64()?, self.f64()?)
         };

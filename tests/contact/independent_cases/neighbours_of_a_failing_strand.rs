@@ -131,8 +131,8 @@ fn came(fault: Fault, lying: usize) -> Came {
         }
         if step >= 30 {
             let rubs = |k: usize| {
-                let of = solver.contacts().iter().filter(|touch| touch.strand == ids[k]);
-                of.map(|touch| across(&touch.force, &touch.normal)).sum::<Vector3<f64>>().norm()
+                let of = solver.contacts().iter().filter(|contact| contact.strand == ids[k]);
+                of.map(|contact| across(&contact.force, &contact.normal)).sum::<Vector3<f64>>().norm()
             };
             let least = (1..lying).map(rubs).fold(f64::INFINITY, f64::min);
             came.frictionless += u32::from(least == 0.0);

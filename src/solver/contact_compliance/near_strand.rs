@@ -3,21 +3,21 @@
 use nalgebra::Vector3;
 
 use super::search::{NearPlace, Search};
-use super::{BodyTouch, Places};
+use super::{BodyContact, Places};
 use crate::chain::load::MaterialPoint;
 use crate::contact::body::BodyAt;
+use crate::contact::contact_point::StrandCurve;
 use crate::contact::law::coefficient::Coefficient;
 use crate::contact::options::StrandContact;
 use crate::contact::shape::Bounds;
-use crate::contact::touch::StrandCurve;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::solver::bodies::ContactPartner;
 use crate::solver::constraints::{ConstraintStatus, material_point_at};
 use crate::solver::strand::{Strand, root_after};
 use crate::step::Setting;
-use crate::step::held::Held;
-use crate::step::held_alone::Alone;
+use crate::step::constrained_single::ConstrainedSingle;
+use crate::step::constrained_step::ConstrainedStep;
 use crate::step::members::One;
 use crate::step::state::{StrandState, rotation_matrix};
 
@@ -32,12 +32,12 @@ const LINEAR: f64 = 0.01;
 
 /// A place where something acts on a strand.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HeldPlace {
+pub(super) struct LoadedPoint {
     material_point: MaterialPoint,
     along: f64,
     force: Vec3<f64>,
     /// The contact with one of the bodies, if it is one.
-    pub touch: Option<BodyTouch>,
+    pub contact: Option<BodyContact>,
 }
 
 /// A strand near the bodies, and its memory.
@@ -47,7 +47,7 @@ pub(super) struct NearStrand {
     pub index: u32,
     elements: Vec<ElementState<f64>>,
     search: Search,
-    pub places: Vec<HeldPlace>,
+    pub places: Vec<LoadedPoint>,
     /// The response of its places, while being computed.
     pub response: Option<Box<Response>>,
 }
@@ -57,7 +57,7 @@ pub(super) struct NearStrand {
 pub(super) struct Response {
     /// Its own copy of the strand's state, for the step that starts with it.
     state: StrandState,
-    alone: Alone,
+    alone: ConstrainedSingle,
     material_points: Vec<MaterialPoint>,
     forces: Vec<Vec3<f64>>,
 }
@@ -86,12 +86,12 @@ impl NearStrand {
         let met = |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.is_near(&around);
         self.search.find(&curve, [contact.exempt_length, contact.radius, within], bodies, met);
         self.list_contacts(strand, contact, bodies, held);
-        if self.search.found.is_empty() && self.places.iter().all(|place| place.touch.is_none()) {
+        if self.search.found.is_empty() && self.places.iter().all(|place| place.contact.is_none()) {
             self.places.clear();
             return;
         }
         self.list_near(strand, contact, bodies, held);
-        let key = |place: &HeldPlace| (place.material_point.element, place.material_point.s);
+        let key = |place: &LoadedPoint| (place.material_point.element, place.material_point.s);
         self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
     }
 
@@ -105,27 +105,27 @@ impl NearStrand {
     }
 
     /// Whether one of its places is in contact with a body, or may soon be.
-    pub fn has_touches(&self) -> bool {
-        self.places.iter().any(|place| place.touch.is_some())
+    pub fn has_contacts(&self) -> bool {
+        self.places.iter().any(|place| place.contact.is_some())
     }
 
     /// A place on it.
-    fn place(&self, strand: &Strand, along: f64, force: Vector3<f64>) -> HeldPlace {
-        HeldPlace { material_point: material_point_at(&strand.model, along), along, force: force.into(), touch: None }
+    fn place(&self, strand: &Strand, along: f64, force: Vector3<f64>) -> LoadedPoint {
+        LoadedPoint { material_point: material_point_at(&strand.model, along), along, force: force.into(), contact: None }
     }
 
     /// The length of the strand between two contacts with one body is divided equally between them.
     fn share_reach(&mut self) {
         for k in 0..self.places.len() {
-            let Some(touch) = self.places[k].touch else { continue };
-            let others = self.places.iter().filter(|place| place.touch.is_some_and(|other| other.body == touch.body));
-            let off = |place: &HeldPlace| place.along - self.places[k].along;
-            let [before, beyond] = others.fold(touch.reach, |[before, beyond], place| match off(place) {
+            let Some(contact) = self.places[k].contact else { continue };
+            let others = self.places.iter().filter(|place| place.contact.is_some_and(|other| other.body == contact.body));
+            let off = |place: &LoadedPoint| place.along - self.places[k].along;
+            let [before, beyond] = others.fold(contact.reach, |[before, beyond], place| match off(place) {
                 off if off < 0.0 => [before.min(-0.5 * off), beyond],
                 off if off > 0.0 => [before, beyond.min(0.5 * off)],
                 _ => [before, beyond],
             });
-            self.places[k].touch = Some(BodyTouch { reach: [before, beyond], ..touch });
+            self.places[k].contact = Some(BodyContact { reach: [before, beyond], ..contact });
         }
     }
 
@@ -145,33 +145,34 @@ impl NearStrand {
         alone.linearise(material_points, forces);
         // (The first linear model has no tension.)
         for _ in 0..MAX_ITERATIONS {
-            let farthest = (0..places.len()).map(|k| displacement(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
+            let farthest = (0..places.len()).map(|k| displacement(&alone.step, forces, k).norm_squared()).fold(0.0, f64::max);
             if farthest <= (LINEAR * strand.model.length()).powi(2) {
                 break;
             }
             alone.advance(setting, forces);
             alone.linearise(material_points, forces);
         }
-        let (model, held) = (&strand.model, &alone.held);
-        let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
+        let (model, held) = (&strand.model, &alone.step);
+        let max_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         for (k, place) in places.iter_mut().enumerate() {
-            let Some(touch) = &mut place.touch else { continue };
-            let moved = Held::place(held.now(), &place.material_point) - Held::place(before, &place.material_point)
+            let Some(contact) = &mut place.contact else { continue };
+            let moved = ConstrainedStep::place(held.now(), &place.material_point)
+                - ConstrainedStep::place(before, &place.material_point)
                 + displacement(held, forces, k);
-            (touch.moved, touch.most_force) = (moved, most_force);
+            (contact.moved, contact.max_force) = (moved, max_force);
         }
     }
 
     /// Whether all its results are finite.
     pub fn is_finite(&self) -> bool {
-        let told = self.places.iter().filter_map(|place| place.touch.as_ref());
-        let mut moved = told.map(|touch| touch.moved);
+        let told = self.places.iter().filter_map(|place| place.contact.as_ref());
+        let mut moved = told.map(|contact| contact.moved);
         moved.all(|moved| moved.iter().all(|x| x.is_finite())) && self.columns().iter().all(|x| x.is_finite())
     }
 
     /// The matrix of all places.
     fn columns(&self) -> &[f64] {
-        self.response.as_ref().map_or(&[], |response| &response.alone.held.delassus.columns)
+        self.response.as_ref().map_or(&[], |response| &response.alone.step.delassus.columns)
     }
 
     /// The matrix's rows and columns of the contacts alone.
@@ -179,28 +180,28 @@ impl NearStrand {
         let columns = self.columns();
         let size = 3 * self.places.len();
         let rows =
-            || self.places.iter().enumerate().filter(|(_, place)| place.touch.is_some()).flat_map(|(k, _)| 3 * k..3 * k + 3);
+            || self.places.iter().enumerate().filter(|(_, place)| place.contact.is_some()).flat_map(|(k, _)| 3 * k..3 * k + 3);
         for column in rows() {
             out.extend(rows().map(|row| columns[column * size + row]));
         }
     }
 
     /// A place in contact with a body, or soon to be.
-    fn touch(
+    fn contact(
         &self,
         strand: &Strand,
         contact: &StrandContact,
         bodies: &[BodyAt],
         near: &NearPlace,
         force: Vector3<f64>,
-    ) -> HeldPlace {
+    ) -> LoadedPoint {
         let NearPlace { body, along, normal, gap } = *near;
         let mut place = self.place(strand, along, force);
         let curve = StrandCurve { origin: strand.state.root.origin, elements: &self.elements };
         let (element, s) = (place.material_point.element, place.material_point.s);
         let (friction, scale) = (contact.friction, bodies[body].friction);
         let (tangent, margin) = (curve.tangent(element, s), contact.radius + bodies[body].thickness);
-        place.touch = Some(BodyTouch {
+        place.contact = Some(BodyContact {
             body: body as u32,
             point: curve.position(element, s) - normal * (gap + margin),
             normal,
@@ -210,7 +211,7 @@ impl NearStrand {
             reach: [(along - contact.exempt_length).max(0.0), (strand.model.length() - along).max(0.0)],
             friction: Coefficient::of_scales(friction.along * scale, friction.against * scale, tangent),
             force,
-            most_force: 0.0,
+            max_force: 0.0,
             resistance: strand.model.cantilever(),
             moved: Vector3::zeros(),
         });
@@ -228,7 +229,7 @@ impl NearStrand {
             let place = match body {
                 Some(body) => {
                     let near = NearPlace { body, along: *along, normal: last.normal, gap: last.gap };
-                    self.touch(strand, contact, bodies, &near, last.force)
+                    self.contact(strand, contact, bodies, &near, last.force)
                 }
                 None => self.place(strand, *along, last.force),
             };
@@ -241,11 +242,12 @@ impl NearStrand {
         for k in 0..self.search.found.len() {
             let found = self.search.found[k];
             let is_known = self.places.iter().any(|place| {
-                let same = |touch: &BodyTouch| touch.body as usize == found.body && touch.normal.dot(&found.normal) > ONE_SIDE;
-                (place.along - found.along).abs() <= ONE_PLACE && place.touch.as_ref().is_some_and(same)
+                let same =
+                    |contact: &BodyContact| contact.body as usize == found.body && contact.normal.dot(&found.normal) > ONE_SIDE;
+                (place.along - found.along).abs() <= ONE_PLACE && place.contact.as_ref().is_some_and(same)
             });
-            if !is_known && found.along > 0.0 && found.gap >= -held.most_deep {
-                self.places.push(self.touch(strand, contact, bodies, &found, Vector3::zeros()));
+            if !is_known && found.along > 0.0 && found.gap >= -held.max_depth {
+                self.places.push(self.contact(strand, contact, bodies, &found, Vector3::zeros()));
             }
         }
         self.share_reach();
@@ -261,8 +263,8 @@ impl NearStrand {
 }
 
 /// Displacement of place `k` under forces by the linear model, m.
-fn displacement(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
-    let (mut moved, size) = (Vector3::from(held.free[k]), 3 * forces.len());
+fn displacement(held: &ConstrainedStep, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
+    let (mut moved, size) = (Vector3::from(held.unconstrained[k]), 3 * forces.len());
     for (column, force) in forces.iter().flat_map(|force| force.0).enumerate() {
         let rows = &held.delassus.columns[column * size + 3 * k..][..3];
         moved += Vector3::new(rows[0], rows[1], rows[2]) * force;

@@ -7,46 +7,46 @@
 
 use nalgebra::Vector3;
 
-use super::contact_space::{ContactSpace, SpaceTouch};
+use super::contact_space::{ContactSpace, SpaceConstraint};
 use super::law::Law;
 use super::rank::{RankFactor, dependence};
 
 /// A held direction that is not independent of others.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DependentBond {
+pub struct DependentConstraint {
     /// The bond's touch.
-    pub touch: usize,
+    pub constraint: usize,
     /// The held direction, world axes.
     pub direction: Vector3<f64>,
     /// The bonds (touches, ascending) that already decide it; empty: no force at the bond moves its points that way.
     pub decided_by: Vec<usize>,
     /// How far it is from holding, m (rad): rounding where the others happen to agree with it, else they contradict each other.
-    pub miss: f64,
+    pub residual: f64,
 }
 
 /// A held direction.
 #[derive(Debug, Clone, Copy)]
-struct Held {
-    touch: usize,
+struct ConstrainedDirection {
+    constraint: usize,
     direction: Vector3<f64>,
     compliance: f64,
     /// Coordinates of the ends in the group.
     first: usize,
     second: Option<usize>,
     /// Displacement along the direction without any touch's force.
-    free: f64,
+    unconstrained: f64,
 }
 
 /// Strands that bonds join, as one block.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Group {
+pub(super) struct BilateralBlock {
     pub(super) base: usize,
     pub(super) size: usize,
     /// Place of its matrix among the reduced ones.
     pub(super) matrix: usize,
     /// Its held directions.
-    first_held: usize,
-    held: usize,
+    first_direction: usize,
+    direction_count: usize,
     /// Places of X (size × held) and W (held × held).
     x: usize,
     w: usize,
@@ -57,17 +57,17 @@ const NONE: u32 = u32::MAX;
 
 /// The bonds of a problem, eliminated.
 #[derive(Debug, Clone, Default)]
-pub struct Bonds {
-    groups: Vec<Group>,
+pub struct BilateralElimination {
+    groups: Vec<BilateralBlock>,
     /// A strand's group; empty where the problem has no bonds.
     group_of: Vec<u32>,
     /// Where a strand's coordinates begin: those of a group stand together.
     bases: Vec<usize>,
     /// (group, strand) and (group, bond's touch), sorted.
     members: Vec<(u32, u32)>,
-    touches: Vec<(u32, u32)>,
+    constraints: Vec<(u32, u32)>,
     reduced: Vec<f64>,
-    held: Vec<Held>,
+    directions: Vec<ConstrainedDirection>,
     x: Vec<f64>,
     w: Vec<f64>,
     factors: Vec<RankFactor>,
@@ -75,7 +75,7 @@ pub struct Bonds {
     carried: Vec<f64>,
 }
 
-impl Bonds {
+impl BilateralElimination {
     /// Whether the problem has any.
     pub fn are_there(&self) -> bool {
         !self.groups.is_empty()
@@ -87,14 +87,14 @@ impl Bonds {
         self.group_of.clear();
         self.bases.clear();
         self.members.clear();
-        self.touches.clear();
+        self.constraints.clear();
         self.reduced.clear();
-        self.held.clear();
+        self.directions.clear();
         self.x.clear();
         self.w.clear();
         self.factors.clear();
         self.carried.clear();
-        if space.touches().iter().all(|touch| !matches!(touch.law, Law::Bond(_))) {
+        if space.constraints().iter().all(|constraint| !matches!(constraint.law, Law::Bilateral(_))) {
             return;
         }
         self.group(space);
@@ -109,13 +109,13 @@ impl Bonds {
     fn group(&mut self, space: &ContactSpace) {
         let strands = space.strands();
         let mut leader: Vec<u32> = (0..strands as u32).collect();
-        let mut bonded = vec![false; strands];
-        for touch in space.touches() {
-            if let Law::Bond(_) = touch.law {
-                let first = touch.first.strand;
-                let second = touch.second.map_or(first, |end| end.strand);
-                bonded[first as usize] = true;
-                bonded[second as usize] = true;
+        let mut constrained = vec![false; strands];
+        for constraint in space.constraints() {
+            if let Law::Bilateral(_) = constraint.law {
+                let first = constraint.first.strand;
+                let second = constraint.second.map_or(first, |end| end.strand);
+                constrained[first as usize] = true;
+                constrained[second as usize] = true;
                 let (a, b) = (find(&mut leader, first), find(&mut leader, second));
                 leader[a.max(b) as usize] = a.min(b);
             }
@@ -125,7 +125,7 @@ impl Bonds {
         // Leaders are the first of their groups: groups come in the order of their first strands.
         let mut count = 0;
         for strand in 0..strands {
-            if bonded[strand] {
+            if constrained[strand] {
                 let lead = find(&mut leader, strand as u32) as usize;
                 if lead == strand {
                     self.group_of[strand] = count;
@@ -136,12 +136,12 @@ impl Bonds {
             }
         }
         self.members.sort_unstable();
-        for (index, touch) in space.touches().iter().enumerate() {
-            if let Law::Bond(_) = touch.law {
-                self.touches.push((self.group_of[touch.first.strand as usize], index as u32));
+        for (index, constraint) in space.constraints().iter().enumerate() {
+            if let Law::Bilateral(_) = constraint.law {
+                self.constraints.push((self.group_of[constraint.first.strand as usize], index as u32));
             }
         }
-        self.touches.sort_unstable();
+        self.constraints.sort_unstable();
         let mut base = 0;
         for strand in 0..strands {
             let index = self.group_of[strand];
@@ -149,7 +149,15 @@ impl Bonds {
                 self.bases[strand] = base;
                 base += space.block(strand).size;
             } else if index as usize == self.groups.len() {
-                let mut group = Group { base, size: 0, matrix: self.reduced.len(), first_held: 0, held: 0, x: 0, w: 0 };
+                let mut group = BilateralBlock {
+                    base,
+                    size: 0,
+                    matrix: self.reduced.len(),
+                    first_direction: 0,
+                    direction_count: 0,
+                    x: 0,
+                    w: 0,
+                };
                 for (_, member) in of_group(&self.members, index) {
                     self.bases[*member as usize] = base;
                     base += space.block(*member as usize).size;
@@ -174,27 +182,27 @@ impl Bonds {
                 g[(at + column) * size + at..][..block.size].copy_from_slice(from);
             }
         }
-        group.first_held = self.held.len();
-        for (_, touch) in of_group(&self.touches, index as u32) {
-            let touch = *touch as usize;
-            let SpaceTouch { first, second, law, free } = &space.touches()[touch];
-            let Law::Bond(bond) = law else { continue };
+        group.first_direction = self.directions.len();
+        for (_, constraint) in of_group(&self.constraints, index as u32) {
+            let constraint = *constraint as usize;
+            let SpaceConstraint { first, second, law, unconstrained } = &space.constraints()[constraint];
+            let Law::Bilateral(bilateral) = law else { continue };
             let place = |end: &super::contact_space::End| self.bases[end.strand as usize] - group.base + 3 * end.point as usize;
-            for direction in bond.directions() {
-                self.held.push(Held {
-                    touch,
+            for direction in bilateral.directions() {
+                self.directions.push(ConstrainedDirection {
+                    constraint,
                     direction,
-                    compliance: bond.compliance,
+                    compliance: bilateral.compliance,
                     first: place(first),
                     second: second.as_ref().map(place),
-                    free: direction.dot(free),
+                    unconstrained: direction.dot(unconstrained),
                 });
             }
         }
-        group.held = self.held.len() - group.first_held;
+        group.direction_count = self.directions.len() - group.first_direction;
         (group.x, group.w) = (self.x.len(), self.w.len());
-        let held = &self.held[group.first_held..];
-        for row in held {
+        let directions = &self.directions[group.first_direction..];
+        for row in directions {
             let at = self.x.len();
             self.x.resize(at + size, 0.0);
             let column = &mut self.x[at..];
@@ -211,10 +219,10 @@ impl Bonds {
                 }
             }
         }
-        let count = held.len();
+        let count = directions.len();
         for j in 0..count {
             let column = &self.x[group.x + j * size..][..size];
-            for (i, row) in held.iter().enumerate() {
+            for (i, row) in directions.iter().enumerate() {
                 let w = row.project(column);
                 self.w.push(if i == j { w + row.compliance } else { w });
             }
@@ -227,7 +235,7 @@ impl Bonds {
             }
         }
         // What the largest of a bond's points' own mobilities lets one expect: below a rounding of that nothing moves.
-        let expected: Vec<f64> = held
+        let expected: Vec<f64> = directions
             .iter()
             .map(|row| {
                 let own = |at: usize| (0..3).map(|axis| g[(at + axis) * size + at + axis]).sum::<f64>();
@@ -246,7 +254,7 @@ impl Bonds {
         // Z = L⁻¹ P Xᵀ, a row of `size` a pivot: G̃ = G − ZᵀZ, symmetric to the bit.
         let mut z = vec![0.0; rank * size];
         for i in 0..size {
-            let row: Vec<f64> = (0..group.held).map(|j| self.x[group.x + j * size + i]).collect();
+            let row: Vec<f64> = (0..group.direction_count).map(|j| self.x[group.x + j * size + i]).collect();
             let solved = factor.forward(&row);
             for (k, value) in solved.iter().enumerate() {
                 z[k * size + i] = *value;
@@ -262,8 +270,9 @@ impl Bonds {
                 }
             }
         }
-        let free: Vec<f64> = self.held[group.first_held..].iter().take(group.held).map(|row| row.free).collect();
-        let forces = self.answer(index, &free);
+        let unconstrained: Vec<f64> =
+            self.directions[group.first_direction..].iter().take(group.direction_count).map(|row| row.unconstrained).collect();
+        let forces = self.answer(index, &unconstrained);
         let carried = &mut self.carried[group.base..group.base + size];
         for (j, force) in forces.iter().enumerate() {
             for (i, value) in carried.iter_mut().enumerate() {
@@ -272,71 +281,71 @@ impl Bonds {
         }
     }
 
-    /// The forces that answer displacements along the held directions: −W⁻¹ `free`, once refined.
-    fn answer(&self, index: usize, free: &[f64]) -> Vec<f64> {
+    /// The forces that answer displacements along the held directions: −W⁻¹ `unconstrained`, once refined.
+    fn answer(&self, index: usize, unconstrained: &[f64]) -> Vec<f64> {
         let (group, factor) = (self.groups[index], &self.factors[index]);
-        let mut forces: Vec<f64> = factor.solve(free).iter().map(|f| -f).collect();
-        let missed = self.missed(&group, free, &forces);
-        for (force, correction) in forces.iter_mut().zip(factor.solve(&missed)) {
+        let mut forces: Vec<f64> = factor.solve(unconstrained).iter().map(|f| -f).collect();
+        let residuals = self.residuals(&group, unconstrained, &forces);
+        for (force, correction) in forces.iter_mut().zip(factor.solve(&residuals)) {
             *force -= correction;
         }
         forces
     }
 
-    fn missed(&self, group: &Group, free: &[f64], forces: &[f64]) -> Vec<f64> {
-        (0..group.held)
+    fn residuals(&self, group: &BilateralBlock, unconstrained: &[f64], forces: &[f64]) -> Vec<f64> {
+        (0..group.direction_count)
             .map(|i| {
-                let row = &self.w[group.w + i * group.held..][..group.held];
-                free[i] + row.iter().zip(forces).map(|(w, f)| w * f).sum::<f64>()
+                let row = &self.w[group.w + i * group.direction_count..][..group.direction_count];
+                unconstrained[i] + row.iter().zip(forces).map(|(w, f)| w * f).sum::<f64>()
             })
             .collect()
     }
 
     /// Adds the bonds' forces to `forces` (a touch each; what stands there for bonds is replaced), when all others have theirs; and gives
     /// the held directions that depend on others.
-    pub(super) fn finish(&self, space: &ContactSpace, forces: &mut [Vector3<f64>]) -> Vec<DependentBond> {
+    pub(super) fn finish(&self, space: &ContactSpace, forces: &mut [Vector3<f64>]) -> Vec<DependentConstraint> {
         let mut dependent = Vec::new();
         if self.groups.is_empty() {
             return dependent;
         }
         let mut applied = vec![0.0; space.coordinates()];
-        for (touch, force) in space.touches().iter().zip(forces.iter_mut()) {
-            if matches!(touch.law, Law::Bond(_)) {
+        for (constraint, force) in space.constraints().iter().zip(forces.iter_mut()) {
+            if matches!(constraint.law, Law::Bilateral(_)) {
                 *force = Vector3::zeros();
                 continue;
             }
             for axis in 0..3 {
-                applied[self.bases[touch.first.strand as usize] + 3 * touch.first.point as usize + axis] += force[axis];
-                if let Some(second) = touch.second {
+                applied[self.bases[constraint.first.strand as usize] + 3 * constraint.first.point as usize + axis] += force[axis];
+                if let Some(second) = constraint.second {
                     applied[self.bases[second.strand as usize] + 3 * second.point as usize + axis] -= force[axis];
                 }
             }
         }
         for (index, group) in self.groups.iter().enumerate() {
-            let held = &self.held[group.first_held..group.first_held + group.held];
+            let directions = &self.directions[group.first_direction..group.first_direction + group.direction_count];
             let applied = &applied[group.base..group.base + group.size];
-            let free: Vec<f64> = held
+            let unconstrained: Vec<f64> = directions
                 .iter()
                 .enumerate()
                 .map(|(j, row)| {
                     let x = &self.x[group.x + j * group.size..][..group.size];
-                    row.free + x.iter().zip(applied).map(|(x, f)| x * f).sum::<f64>()
+                    row.unconstrained + x.iter().zip(applied).map(|(x, f)| x * f).sum::<f64>()
                 })
                 .collect();
-            let answer = self.answer(index, &free);
-            for (row, force) in held.iter().zip(&answer) {
-                forces[row.touch] += row.direction * *force;
+            let answer = self.answer(index, &unconstrained);
+            for (row, force) in directions.iter().zip(&answer) {
+                forces[row.constraint] += row.direction * *force;
             }
-            let missed = self.missed(group, &free, &answer);
+            let residuals = self.residuals(group, &unconstrained, &answer);
             for (row, on) in dependence(&self.factors[index]) {
-                let mut decided_by: Vec<usize> = on.iter().map(|other| held[*other].touch).collect();
+                let mut decided_by: Vec<usize> = on.iter().map(|other| directions[*other].constraint).collect();
                 decided_by.sort_unstable();
                 decided_by.dedup();
-                dependent.push(DependentBond {
-                    touch: held[row].touch,
-                    direction: held[row].direction,
+                dependent.push(DependentConstraint {
+                    constraint: directions[row].constraint,
+                    direction: directions[row].direction,
                     decided_by,
-                    miss: missed[row].abs(),
+                    residual: residuals[row].abs(),
                 });
             }
         }
@@ -344,7 +353,7 @@ impl Bonds {
     }
 
     /// A strand's group, if bonds hold it.
-    pub(super) fn group_of(&self, strand: usize) -> Option<&Group> {
+    pub(super) fn group_of(&self, strand: usize) -> Option<&BilateralBlock> {
         let group = *self.group_of.get(strand)?;
         self.groups.get(group as usize)
     }
@@ -365,7 +374,7 @@ impl Bonds {
     }
 }
 
-impl Held {
+impl ConstrainedDirection {
     /// Displacement along the direction where the group's coordinates are displaced so.
     fn project(&self, displacements: &[f64]) -> f64 {
         let at = |at: usize| (0..3).map(|axis| displacements[at + axis] * self.direction[axis]).sum::<f64>();

@@ -7,7 +7,7 @@
 use nalgebra::Vector3;
 
 use crate::contact::body::BodyAt;
-use crate::contact::touch::StrandCurve;
+use crate::contact::contact_point::StrandCurve;
 use crate::rod::strand::place_on;
 
 /// Points along a strand are at most this far apart, m, and turn by at most this from one to the next, rad.

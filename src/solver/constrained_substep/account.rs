@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::{Holding, Scene};
+use super::{ConstrainedSubstep, Scene};
 use crate::chain::load::MaterialPoint;
-use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::nearest_pair::depth;
+use crate::contact::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
 use crate::solver::bodies::{Contact, ContactPartner};
 use crate::solver::report::Wrench;
 use crate::solver::strand::Tally;
@@ -14,7 +14,7 @@ use crate::solver::strand::Tally;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ContactTally {
     /// Touches that carried a force at the end of the last substep.
-    pub touches: u32,
+    pub contacts: u32,
     /// Searches that found touches which the one at a substep's start had not.
     pub searches: u32,
     /// Newton iterations of the island that took most.
@@ -50,67 +50,73 @@ pub(in crate::solver) struct Account<'a> {
     pub wrenches: &'a mut [Wrench],
 }
 
-impl Holding {
+impl ConstrainedSubstep {
     /// What the strands at a touch can press with, N.
-    fn most_force(&self, joint: &Joint, h: f64) -> f64 {
-        let of = |end: JointEnd| self.strands[end.held as usize].usual_force(h) + self.strands[end.held as usize].bending;
-        joint.ends().map(of).fold(f64::INFINITY, f64::min)
+    fn max_force(&self, constraint: &StepConstraint, h: f64) -> f64 {
+        let of =
+            |end: ConstraintEnd| self.strands[end.strand as usize].usual_force(h) + self.strands[end.strand as usize].bending;
+        constraint.ends().map(of).fold(f64::INFINITY, f64::min)
     }
 
     /// Writes down what the strands and their joints came to, but for those that have taken the substep in parts; of these only the roots, which are
     /// where the host has put them.
-    pub(super) fn tell(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
+    pub(super) fn report(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
         let islands = &self.islands[..self.island_count];
         let contact = &mut *account.contact;
-        (contact.touches, contact.roots_inside, contact.capped) = (0, 0, 0);
-        for held in &self.strands[..self.count] {
-            if !islands[held.island as usize].takes_parts {
-                account.tally.add(&held.held.outcome);
+        (contact.contacts, contact.roots_inside, contact.capped) = (0, 0, 0);
+        for constrained in &self.strands[..self.count] {
+            if !islands[constrained.island as usize].is_subdivided {
+                account.tally.add(&constrained.step.outcome);
             }
-            contact.penetration = contact.penetration.max(-held.root_gap);
-            contact.roots_inside += u32::from(held.root_gap < -scene.options.tolerance);
+            contact.penetration = contact.penetration.max(-constrained.root_gap);
+            contact.roots_inside += u32::from(constrained.root_gap < -scene.options.tolerance);
         }
         self.contacts.clear();
         for constraint in scene.constraints.iter_mut() {
             constraint.begin_report();
         }
-        let place = |held: u32, material_point: &MaterialPoint| {
-            let strand = &self.strands[held as usize];
+        let place = |constrained: u32, material_point: &MaterialPoint| {
+            let strand = &self.strands[constrained as usize];
             (scene.strands[strand.index as usize].id, strand.along(material_point))
         };
-        for island in islands.iter().filter(|island| !island.takes_parts) {
+        for island in islands.iter().filter(|island| !island.is_subdivided) {
             contact.unconverged += u32::from(!island.ending.converged);
             contact.residual = contact.residual.max(island.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
             let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
-            for joint in &island.joints {
-                match joint.constraint() {
+            for constraint in &island.constraints {
+                match constraint.bilateral() {
                     Some(index) => {
-                        contact.constraint_error = contact.constraint_error.max(joint.gap);
-                        let strand = &self.strands[joint.first.held as usize];
-                        scene.constraints[index as usize].add_report(joint, &strand.path().now);
+                        contact.constraint_error = contact.constraint_error.max(constraint.gap);
+                        let strand = &self.strands[constraint.first.strand as usize];
+                        scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
                         if !was_searched {
-                            contact.penetration = contact.penetration.max(depth(joint, &self.strands, scene.options.tolerance));
+                            contact.penetration =
+                                contact.penetration.max(depth(constraint, &self.strands, scene.options.tolerance));
                         }
                         // (What rubs still, and does not press any more, is no contact, nor what an iteration that was cut or given up left drawing.)
-                        if joint.force == Vector3::zeros() || joint.draws() || scene.options.model.is_soft() && !joint.presses() {
+                        if constraint.force == Vector3::zeros()
+                            || constraint.draws()
+                            || scene.options.model.is_soft() && !constraint.presses()
+                        {
                             continue;
                         }
-                        contact.touches += 1;
-                        let (strand, arclength) = place(joint.first.held, &joint.first.material_point);
-                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.material_point).now;
-                        let most = self.most_force(joint, h) * if island.ending.converged { SOLVED } else { 1.0 };
-                        let size = joint.force.norm();
-                        let force = if size > most { joint.force * (most / size) } else { joint.force };
+                        contact.contacts += 1;
+                        let (strand, arclength) = place(constraint.first.strand, &constraint.first.material_point);
+                        let position =
+                            self.strands[constraint.first.strand as usize].end_state(&constraint.first.material_point).now;
+                        let most = self.max_force(constraint, h) * if island.ending.converged { SOLVED } else { 1.0 };
+                        let size = constraint.force.norm();
+                        let force = if size > most { constraint.force * (most / size) } else { constraint.force };
                         contact.capped += u32::from(size > most);
-                        let (normal, partner) = match (joint.kind, joint.second) {
-                            (JointKind::Hair { normal, .. }, Some(end)) => {
-                                let (strand, arclength) = place(end.held, &end.material_point);
+                        let (normal, partner) = match (constraint.kind, constraint.second) {
+                            (ConstraintKind::Hair { normal, .. }, Some(end)) => {
+                                let (strand, arclength) = place(end.strand, &end.material_point);
                                 (normal, ContactPartner::Strand { strand, arclength })
                             }
-                            (JointKind::Body { body, feature, normal, point, .. }, _) => {
+                            (ConstraintKind::Body { body, feature, normal, point, .. }, _) => {
                                 let origin = scene.bodies[body as usize].end.origin;
                                 let wrench = &mut account.wrenches[body as usize];
                                 wrench.force -= force;
@@ -119,24 +125,24 @@ impl Holding {
                             }
                             _ => continue,
                         };
-                        let slip = joint.slip - normal * normal.dot(&joint.slip);
+                        let slip = constraint.slip - normal * normal.dot(&constraint.slip);
                         // A touch that was found elsewhere may say more than the search did.
-                        let gap = if was_searched { joint.gap.max(-island.left.deep) } else { joint.gap };
+                        let gap = if was_searched { constraint.gap.max(-island.left.deep) } else { constraint.gap };
                         self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
                     }
                 }
             }
         }
-        self.touching.remember(islands.iter().filter(|island| !island.takes_parts), &self.strands);
+        self.detection.store_warm_start(islands.iter().filter(|island| !island.is_subdivided), &self.strands);
         for island in islands {
             for dependent in &island.report.dependent {
-                if let Some(index) = island.joints[dependent.touch].constraint() {
+                if let Some(index) = island.constraints[dependent.constraint].bilateral() {
                     scene.constraints[index as usize].depends();
                 }
             }
         }
         for constraint in scene.constraints.iter_mut() {
-            constraint.way.advance(h);
+            constraint.motion.advance(h);
         }
     }
 }

@@ -1,11 +1,11 @@
-//! Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of [`super::held`].
+//! Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of [`super::constrained_step`].
 //!
 //! The strands of a pack are of one [`Kind`](super::members::PackKey) and begin together; each then goes its own way, and may wait while others
 //! go on: no lane's result depends on the others.
 
-use super::held::{Held, Lanes, running};
-use super::held_loads::PackLoads;
+use super::constrained_step::{ConstrainedStep, Lanes, running};
 use super::iterate::{Problem, choose_start, forces, place_trial, predict_tension, wrench};
+use super::lane_loads::PackLoads;
 use super::line_search::{self, LineSearch, Merit};
 use super::members::{Pack, lane_of};
 use super::options::Integrator;
@@ -24,7 +24,7 @@ use crate::rod::kinematics::{ElementState, element_states, lane_of_elements};
 
 /// A pack in the course of its strands' step.
 #[derive(Debug)]
-pub struct HeldPack<T> {
+pub struct ConstrainedPack<T> {
     bench: Bench<T>,
     /// The elements as the step found them.
     start: Vec<ElementState<T>>,
@@ -40,7 +40,7 @@ pub struct HeldPack<T> {
     scratch: ResponseScratch<T>,
 }
 
-impl<T: Lane> Default for HeldPack<T> {
+impl<T: Lane> Default for ConstrainedPack<T> {
     fn default() -> Self {
         Self {
             bench: Bench::default(),
@@ -58,7 +58,7 @@ impl<T: Lane> Default for HeldPack<T> {
     }
 }
 
-impl<T: Lane> HeldPack<T> {
+impl<T: Lane> ConstrainedPack<T> {
     /// Makes room for so many stations.
     pub fn make_room(&mut self, material_points: usize) {
         self.loads.make_room(material_points);
@@ -70,18 +70,18 @@ impl<T: Lane> HeldPack<T> {
         T::call(Begin { pack: self, members, setting, h, first_order, strands });
     }
 
-    /// First half of an iteration of strands that [`Held::hold`] has told of their stations.
+    /// First half of an iteration of strands that [`ConstrainedStep::hold`] has told of their stations.
     pub fn linearise(&mut self, strands: Lanes) {
         T::call(Linearise { pack: self, strands });
     }
 
-    /// Second half: goes the way that the strands' forces ([`Held::pull`]) lead to.
+    /// Second half: goes the way that the strands' forces ([`ConstrainedStep::pull`]) lead to.
     pub fn advance(&mut self, setting: &Setting, strands: Lanes) {
         T::call(Advance { pack: self, setting, strands });
     }
 
     /// Bends all elements of one strand by so much more, 1/m about n1 and n2: the iteration goes on from there. (Of freedoms that are held none.)
-    pub fn bend(&mut self, lane: usize, curvature: [f64; 2], setting: &Setting, held: &mut Held) {
+    pub fn bend(&mut self, lane: usize, curvature: [f64; 2], setting: &Setting, constrained: &mut ConstrainedStep) {
         let size = (curvature[0] * curvature[0] + curvature[1] * curvature[1]).sqrt();
         let change = match (self.freedoms.contains(1), self.freedoms.contains(2)) {
             (true, true) => [0.0, curvature[0], curvature[1]],
@@ -100,21 +100,21 @@ impl<T: Lane> HeldPack<T> {
         let rule = setting.rules.rule(self.rule);
         let axes = &axes[..self.freedoms.count()];
         let problem = Problem { root: &self.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
-        held.potential = Merit::of_lane(place_trial(&problem, iterate), lane);
-        lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
-        held.accept();
+        constrained.potential = Merit::of_lane(place_trial(&problem, iterate), lane);
+        lane_of_elements(&iterate.trial.elements, lane, &mut constrained.trial);
+        constrained.accept();
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
         std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
-        held.before = None;
+        constrained.before = None;
     }
 
-    /// Works out what the step's end is like for its strands, before [`HeldPack::end`].
+    /// Works out what the step's end is like for its strands, before [`ConstrainedPack::end`].
     pub fn finish(&mut self, members: &dyn Pack, setting: &Setting, h: f64, strands: Lanes) {
         T::call(Finish { pack: self, members, setting, h, strands });
     }
 
     /// Ends the step of one strand: its end becomes the strand's state, unless it is not finite, or has not converged and is bent by more than
-    /// `most_elastic` (J): it is then come to nowhere.
+    /// `max_elastic` (J): it is then come to nowhere.
     #[allow(clippy::too_many_arguments, reason = "a strand, and what its step is of")]
     pub fn end(
         &self,
@@ -122,13 +122,13 @@ impl<T: Lane> HeldPack<T> {
         member: &mut dyn Pack,
         setting: &Setting,
         h: f64,
-        most_elastic: f64,
+        max_elastic: f64,
         scratch: &mut RuleScratch,
-        held: &mut Held,
+        constrained: &mut ConstrainedStep,
     ) {
-        let outcome = &mut held.outcome;
-        let nowhere = !outcome.converged && outcome.energies.elastic > most_elastic;
-        outcome.quarantined |= nowhere || !held.finite;
+        let outcome = &mut constrained.outcome;
+        let nowhere = !outcome.converged && outcome.energies.elastic > max_elastic;
+        outcome.quarantined |= nowhere || !constrained.finite;
         if outcome.quarantined {
             outcome.converged = false;
         } else {
@@ -146,16 +146,16 @@ impl<T: Lane> HeldPack<T> {
         let (change, moved, loads) = (&mut iterate.change, &mut self.moved, &self.loads);
         let found =
             elimination.direction(&iterate.kinematics, &loads.loads, &loads.forces, axes, &mut self.scratch, change, moved);
-        for (lane, held) in running(strands) {
-            held.free.clear();
-            held.free.extend(held.slots.iter().map(|slot| lane_of(&moved[*slot as usize], lane, 1.0)));
+        for (lane, constrained) in running(strands) {
+            constrained.unconstrained.clear();
+            constrained.unconstrained.extend(constrained.slots.iter().map(|slot| lane_of(&moved[*slot as usize], lane, 1.0)));
         }
         found
     }
 }
 
 struct Begin<'a, 'b, T> {
-    pack: &'a mut HeldPack<T>,
+    pack: &'a mut ConstrainedPack<T>,
     members: &'a dyn Pack,
     setting: &'a Setting<'a>,
     h: f64,
@@ -193,17 +193,17 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
         (iterate.system.exact, pack.exact) = (false, 0);
         pack.loads.clear();
         let usual = newton::usual_damping(iterate);
-        for (lane, held) in running(strands) {
-            lane_of_elements(&pack.start, lane, &mut held.start);
-            lane_of_elements(&iterate.kinematics.elements, lane, &mut held.now);
-            (held.start_origin, held.origin) = (members.state(lane).root.origin, roots[lane].origin);
-            held.begin(Merit::of_lane(potential, lane), usual.lane(lane));
+        for (lane, constrained) in running(strands) {
+            lane_of_elements(&pack.start, lane, &mut constrained.start);
+            lane_of_elements(&iterate.kinematics.elements, lane, &mut constrained.now);
+            (constrained.start_origin, constrained.origin) = (members.state(lane).root.origin, roots[lane].origin);
+            constrained.begin(Merit::of_lane(potential, lane), usual.lane(lane));
         }
     }
 }
 
 struct Linearise<'a, 'b, T> {
-    pack: &'a mut HeldPack<T>,
+    pack: &'a mut ConstrainedPack<T>,
     strands: Lanes<'a, 'b>,
 }
 
@@ -216,23 +216,24 @@ impl<T: Lane> Kernel for Linearise<'_, '_, T> {
         let axes = &axes[..pack.freedoms.count()];
         let iterate = &mut pack.bench.workspace.iterate;
         forces(iterate);
-        for (lane, held) in running(strands) {
-            held.load(iterate, lane, pack.exact >> lane & 1 == 1);
+        for (lane, constrained) in running(strands) {
+            constrained.load(iterate, lane, pack.exact >> lane & 1 == 1);
         }
         pack.loads.lay_out(iterate.kinematics.elements.len(), strands);
         for tries in 0..=newton::MAX_DAMPINGS {
             pack.loads.fill(strands);
             let Bench { workspace, elimination } = &mut pack.bench;
             let iterate = &mut workspace.iterate;
-            let damping = |lane: usize| strands.get(lane).and_then(Option::as_ref).map_or(0.0, |held| held.damping.value);
+            let damping =
+                |lane: usize| strands.get(lane).and_then(Option::as_ref).map_or(0.0, |constrained| constrained.damping.value);
             iterate.system.rotation_stiffness = T::from_lanes(damping);
             let found =
                 elimination.solve_loaded(&iterate.kinematics, &iterate.system, &pack.loads.loads, axes, &mut iterate.change);
             // A strand that is good keeps its damping, and its system again.
             let mut good = true;
-            for (_, held) in running(strands).filter(|(lane, _)| found.repaired.lane(*lane) != 0.0) {
+            for (_, constrained) in running(strands).filter(|(lane, _)| found.repaired.lane(*lane) != 0.0) {
                 if tries < newton::MAX_DAMPINGS {
-                    held.stiffen();
+                    constrained.stiffen();
                     good = false;
                 }
             }
@@ -241,8 +242,8 @@ impl<T: Lane> Kernel for Linearise<'_, '_, T> {
             }
         }
         let Bench { workspace, elimination } = &pack.bench;
-        for (lane, held) in running(strands) {
-            held.delassus.update(elimination, &workspace.iterate.kinematics, lane, &held.loads, axes);
+        for (lane, constrained) in running(strands) {
+            constrained.delassus.update(elimination, &workspace.iterate.kinematics, lane, &constrained.loads, axes);
         }
         pack.loads.rest();
         pack.direct(strands);
@@ -250,7 +251,7 @@ impl<T: Lane> Kernel for Linearise<'_, '_, T> {
 }
 
 struct Advance<'a, 'b, T> {
-    pack: &'a mut HeldPack<T>,
+    pack: &'a mut ConstrainedPack<T>,
     setting: &'a Setting<'a>,
     strands: Lanes<'a, 'b>,
 }
@@ -271,43 +272,43 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
         let (mut part, mut from, mut rotation) = ([0.0; MAX_LANES], [Merit::default(); MAX_LANES], [0.0; MAX_LANES]);
         let mut potential = [Merit::default(); MAX_LANES];
         let mut moving = 0;
-        for (lane, held) in running(strands) {
-            held.outcome.iterations += 1;
+        for (lane, constrained) in running(strands) {
+            constrained.outcome.iterations += 1;
             rotation[lane] = found.rotation_squared.lane(lane).sqrt();
             if !(rotation[lane].is_finite() && found.descent.lane(lane).is_finite()) {
-                (held.outcome.quarantined, held.residual) = (true, f64::INFINITY);
+                (constrained.outcome.quarantined, constrained.residual) = (true, f64::INFINITY);
                 continue;
             }
-            from[lane] = held.lagrangian(held.potential, &held.now);
+            from[lane] = constrained.lagrangian(constrained.potential, &constrained.now);
             part[lane] = line_search::first_fraction(rotation[lane], limit);
             moving |= 1 << lane;
         }
         let search = LineSearch { problem: &problem, descent: found.descent, from: &from, trusted: 0 };
         // No way down that rounding lets us see: as good as the potential can tell.
         let (pending, to) = search.run(iterate, &mut part, moving, |iterate, lane, at| {
-            let Some(held) = &mut strands[lane] else { return at };
-            lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
+            let Some(constrained) = &mut strands[lane] else { return at };
+            lane_of_elements(&iterate.trial.elements, lane, &mut constrained.trial);
             potential[lane] = at;
-            held.lagrangian(at, &held.trial)
+            constrained.lagrangian(at, &constrained.trial)
         });
         moving &= !pending;
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
         std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
-        for (lane, held) in running(strands) {
+        for (lane, constrained) in running(strands) {
             if pending >> lane & 1 == 1 {
-                (held.outcome.residual, held.residual) = (rotation[lane], rotation[lane]);
+                (constrained.outcome.residual, constrained.residual) = (rotation[lane], rotation[lane]);
             }
             if moving >> lane & 1 == 0 {
                 continue;
             }
-            held.accept();
-            held.potential = potential[lane];
-            line_search::teach(&mut held.damping, &found, lane, from[lane], to[lane]);
-            let newton = held.damping.value == 0.0 && part[lane] == 1.0;
+            constrained.accept();
+            constrained.potential = potential[lane];
+            line_search::teach(&mut constrained.damping, &found, lane, from[lane], to[lane]);
+            let newton = constrained.damping.value == 0.0 && part[lane] == 1.0;
             let quadratic = newton && pack.exact >> lane & 1 == 1;
-            held.outcome.residual = line_search::left(rotation[lane], quadratic, held.before);
-            held.residual = held.outcome.residual;
-            held.before = newton.then_some(rotation[lane]);
+            constrained.outcome.residual = line_search::left(rotation[lane], quadratic, constrained.before);
+            constrained.residual = constrained.outcome.residual;
+            constrained.before = newton.then_some(rotation[lane]);
         }
         if setting.options.exact_hessian && moving != 0 {
             pack.predict_tension(&part, moving);
@@ -315,7 +316,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
     }
 }
 
-impl<T: Lane> HeldPack<T> {
+impl<T: Lane> ConstrainedPack<T> {
     /// The tension of the lanes that have moved, by `part` of the direction each. The others keep theirs.
     #[inline(always)]
     fn predict_tension(&mut self, part: &[f64; MAX_LANES], moved: u32) {
@@ -340,7 +341,7 @@ impl<T: Lane> HeldPack<T> {
 }
 
 struct Finish<'a, 'b, T> {
-    pack: &'a mut HeldPack<T>,
+    pack: &'a mut ConstrainedPack<T>,
     members: &'a dyn Pack,
     setting: &'a Setting<'a>,
     h: f64,
@@ -359,8 +360,8 @@ impl<T: Lane> Kernel for Finish<'_, '_, T> {
         stages::finish_stage(pack.times.k, pack.offset, &axes[..pack.freedoms.count()], iterate, &mut stages[0]);
         let (force, torque) = wrench(&iterate.kinematics, &iterate.system.point_force);
         (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
-        for (lane, held) in running(strands) {
-            let (force, torque) = held.wrench(lane_of(&force, lane, 1.0), lane_of(&torque, lane, 1.0));
+        for (lane, constrained) in running(strands) {
+            let (force, torque) = constrained.wrench(lane_of(&force, lane, 1.0), lane_of(&torque, lane, 1.0));
             for axis in 0..3 {
                 workspace.wrench_force.0[axis].set_lane(lane, force.0[axis]);
                 workspace.wrench_torque.0[axis].set_lane(lane, torque.0[axis]);
@@ -370,8 +371,8 @@ impl<T: Lane> Kernel for Finish<'_, '_, T> {
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         whole::energies(members, setting, workspace, &mut outcomes);
         let finiteness = whole::finiteness(workspace);
-        for (lane, held) in running(strands) {
-            (held.outcome.energies, held.finite) = (outcomes[lane].energies, finiteness.lane(lane) == 0.0);
+        for (lane, constrained) in running(strands) {
+            (constrained.outcome.energies, constrained.finite) = (outcomes[lane].energies, finiteness.lane(lane) == 0.0);
         }
     }
 }

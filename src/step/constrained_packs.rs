@@ -1,8 +1,8 @@
 //! Packs of strands that forces hold, in registers of any width.
 
 use super::Setting;
-use super::held::{Held, Lanes};
-use super::held_pack::HeldPack;
+use super::constrained_pack::ConstrainedPack;
+use super::constrained_step::{ConstrainedStep, Lanes};
 use super::members::Pack;
 use super::state::RuleScratch;
 #[allow(unused_imports, reason = "which types there are depends on the machine")]
@@ -13,13 +13,13 @@ use crate::math::lanes::InstructionSet;
 #[derive(Debug, Default)]
 pub struct AnyPack {
     width: Width,
-    one: Option<Box<HeldPack<f64>>>,
+    one: Option<Box<ConstrainedPack<f64>>>,
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
-    two: Option<Box<HeldPack<lanes::F64x2>>>,
+    two: Option<Box<ConstrainedPack<lanes::F64x2>>>,
     #[cfg(target_arch = "x86_64")]
-    four: Option<Box<HeldPack<lanes::F64x4>>>,
+    four: Option<Box<ConstrainedPack<lanes::F64x4>>>,
     #[cfg(target_arch = "x86_64")]
-    eight: Option<Box<HeldPack<lanes::F64x8>>>,
+    eight: Option<Box<ConstrainedPack<lanes::F64x8>>>,
 }
 
 /// How many lanes are in use.
@@ -81,7 +81,7 @@ macro_rules! with_pack {
 }
 
 impl AnyPack {
-    /// See [`HeldPack::begin`]; in the registers of `set` that hold the strands.
+    /// See [`ConstrainedPack::begin`]; in the registers of `set` that hold the strands.
     pub fn begin(
         &mut self,
         members: &dyn Pack,
@@ -95,27 +95,27 @@ impl AnyPack {
         with_pack!(self, pack => pack.begin(members, setting, h, first_order, strands));
     }
 
-    /// See [`HeldPack::linearise`].
+    /// See [`ConstrainedPack::linearise`].
     pub fn linearise(&mut self, strands: Lanes) {
         with_pack!(self, pack => pack.linearise(strands));
     }
 
-    /// See [`HeldPack::advance`].
+    /// See [`ConstrainedPack::advance`].
     pub fn advance(&mut self, setting: &Setting, strands: Lanes) {
         with_pack!(self, pack => pack.advance(setting, strands));
     }
 
-    /// See [`HeldPack::bend`].
-    pub fn bend(&mut self, lane: usize, curvature: [f64; 2], setting: &Setting, held: &mut Held) {
-        with_pack!(self, pack => pack.bend(lane, curvature, setting, held));
+    /// See [`ConstrainedPack::bend`].
+    pub fn bend(&mut self, lane: usize, curvature: [f64; 2], setting: &Setting, constrained: &mut ConstrainedStep) {
+        with_pack!(self, pack => pack.bend(lane, curvature, setting, constrained));
     }
 
-    /// See [`HeldPack::finish`].
+    /// See [`ConstrainedPack::finish`].
     pub fn finish(&mut self, members: &dyn Pack, setting: &Setting, h: f64, strands: Lanes) {
         with_pack!(self, pack => pack.finish(members, setting, h, strands));
     }
 
-    /// See [`HeldPack::end`].
+    /// See [`ConstrainedPack::end`].
     #[allow(clippy::too_many_arguments, reason = "a strand, and what its step is of")]
     pub fn end(
         &mut self,
@@ -123,10 +123,10 @@ impl AnyPack {
         member: &mut dyn Pack,
         setting: &Setting,
         h: f64,
-        most_elastic: f64,
+        max_elastic: f64,
         scratch: &mut RuleScratch,
-        held: &mut Held,
+        constrained: &mut ConstrainedStep,
     ) {
-        with_pack!(self, pack => pack.end(lane, member, setting, h, most_elastic, scratch, held));
+        with_pack!(self, pack => pack.end(lane, member, setting, h, max_elastic, scratch, constrained));
     }
 }

@@ -1,9 +1,9 @@
 //! The step of strands that forces from outside hold at stations, one Newton iteration at a time, so that between iterations somebody
 //! else can say what the forces are: contact and constraints, which may tie many strands together. Strands of one kind go side by side in a
-//! pack ([`HeldPack`](super::held_pack::HeldPack)), which has what is the same work for all; this is what each has of its own.
+//! pack ([`ConstrainedPack`](super::constrained_pack::ConstrainedPack)), which has what is the same work for all; this is what each has of its own.
 //!
-//! Each iteration has two halves. The first, [`HeldPack::linearise`](super::held_pack::HeldPack::linearise), gives what the stations would do
-//! without forces, and their Delassus operator; the second, [`HeldPack::advance`](super::held_pack::HeldPack::advance), goes the way that the
+//! Each iteration has two halves. The first, [`ConstrainedPack::linearise`](super::constrained_pack::ConstrainedPack::linearise), gives what the stations would do
+//! without forces, and their Delassus operator; the second, [`ConstrainedPack::advance`](super::constrained_pack::ConstrainedPack::advance), goes the way that the
 //! forces lead to, a descent of the Lagrangian Φ(q) − Σ λ·r(q) with the forces λ as they are then. The step ends where neither the forces
 //! nor the shape change any more. It is of implicit Euler, or of second order where that is asked for and the strand has a past.
 
@@ -21,9 +21,9 @@ use crate::rod::kinematics::ElementState;
 
 /// A bond between a station and the world: what it holds, and how far that is from holding at the present iterate.
 #[derive(Debug, Clone, Copy)]
-pub struct WorldBond {
+pub struct WorldConstraint {
     /// The projector on the directions that it holds, world axes.
-    pub held: Mat3<f64>,
+    pub projector: Mat3<f64>,
     /// From where it holds to where the station is, along those directions, m.
     pub off: Vec3<f64>,
 }
@@ -35,7 +35,7 @@ const STIFFEST: f64 = 256.0;
 
 /// One strand in the course of its step.
 #[derive(Debug)]
-pub struct Held {
+pub struct ConstrainedStep {
     /// The strand's elements as the step found them, from where the root was then.
     pub(super) start: Vec<ElementState<f64>>,
     pub(super) start_origin: Vector3<f64>,
@@ -57,13 +57,13 @@ pub struct Held {
     pub(super) forces: Vec<Vec3<f64>>,
     /// The bonds with the world, one a station where there are any, where they hold their stations, and the stiffness of the springs on them,
     /// N/m; zero: none.
-    bonds: Vec<Option<WorldBond>>,
+    world_constraints: Vec<Option<WorldConstraint>>,
     anchors: Vec<Vec3<f64>>,
     spring: f64,
     /// The stiffness of the springs to try first, N/m.
     usual_spring: f64,
     /// How far each station would go in this iteration without forces, world axes, m.
-    pub free: Vec<Vec3<f64>>,
+    pub unconstrained: Vec<Vec3<f64>>,
     /// What forces at the stations add to that.
     pub delassus: Delassus,
     /// How far some point of it has gone at most since this was set to zero, iteration by iteration, m; infinite at a step's begin.
@@ -77,7 +77,7 @@ pub struct Held {
     pub outcome: StrandOutcome,
 }
 
-impl Default for Held {
+impl Default for ConstrainedStep {
     fn default() -> Self {
         Self {
             start: Vec::new(),
@@ -94,11 +94,11 @@ impl Default for Held {
             loads: Vec::new(),
             slots: Vec::new(),
             forces: Vec::new(),
-            bonds: Vec::new(),
+            world_constraints: Vec::new(),
             anchors: Vec::new(),
             spring: 0.0,
             usual_spring: 0.0,
-            free: Vec::new(),
+            unconstrained: Vec::new(),
             delassus: Delassus::default(),
             gone: f64::INFINITY,
             residual: f64::INFINITY,
@@ -108,7 +108,7 @@ impl Default for Held {
     }
 }
 
-impl Held {
+impl ConstrainedStep {
     /// Makes room for so many stations.
     pub fn make_room(&mut self, material_points: usize) {
         fn reserve<T>(list: &mut Vec<T>, count: usize) {
@@ -119,7 +119,7 @@ impl Held {
         reserve(&mut self.slots, material_points);
         reserve(&mut self.forces, material_points);
         reserve(&mut self.anchors, material_points);
-        reserve(&mut self.free, material_points);
+        reserve(&mut self.unconstrained, material_points);
         reserve(&mut self.delassus.columns, 9 * material_points * material_points);
     }
 
@@ -134,7 +134,7 @@ impl Held {
         self.loads.clear();
         self.slots.clear();
         self.forces.clear();
-        self.bonds.clear();
+        self.world_constraints.clear();
         self.spring = 0.0;
     }
 
@@ -154,18 +154,23 @@ impl Held {
     }
 
     /// Before the first half of an iteration: forces will act at `material_points` (from root to tip); `guess` are those that the iteration before came
-    /// to, which bend the matrix. `bonds`: none, or one a station that a bond holds to the world.
+    /// to, which bend the matrix. `world_constraints`: none, or one a station that a bond holds to the world.
     ///
     /// Where the strand's own matrix is not positive definite, as under pressure between clamps, springs on the bonds are added to it (an
     /// augmented Lagrangian): they cost the solution nothing, since what they pull with is taken off the bonds' forces again
-    /// ([`Held::pulled`]), and unlike damping they hold nothing back that the bonds leave free.
-    pub fn hold(&mut self, material_points: &[MaterialPoint], guess: &[Vec3<f64>], bonds: &[Option<WorldBond>]) {
+    /// ([`ConstrainedStep::pulled`]), and unlike damping they hold nothing back that the bonds leave free.
+    pub fn hold(
+        &mut self,
+        material_points: &[MaterialPoint],
+        guess: &[Vec3<f64>],
+        world_constraints: &[Option<WorldConstraint>],
+    ) {
         self.material_points.clear();
         self.material_points.extend_from_slice(material_points);
         self.forces.clear();
         self.forces.extend_from_slice(guess);
-        self.bonds.clear();
-        self.bonds.extend_from_slice(bonds);
+        self.world_constraints.clear();
+        self.world_constraints.extend_from_slice(world_constraints);
         self.damping.begin();
     }
 
@@ -179,7 +184,7 @@ impl Held {
             .zip(&self.forces)
             .map(|(material_point, force)| Load::at(&self.now, material_point, tension(force)));
         self.loads.extend(loads);
-        self.usual_spring = if self.bonds.is_empty() {
+        self.usual_spring = if self.world_constraints.is_empty() {
             0.0
         } else {
             let inertia: f64 = iterate.system.point_stiffness.iter().map(|stiffness| stiffness.lane(lane)).sum();
@@ -202,8 +207,13 @@ impl Held {
 
     fn set_springs(&mut self) {
         if self.spring > 0.0 {
-            for (load, bond) in self.loads.iter_mut().zip(&self.bonds).filter_map(|(load, bond)| Some((load, bond.as_ref()?))) {
-                *load = load.with_stiffness(&self.now, &bond.held.scale(self.spring));
+            for (load, constraint) in self
+                .loads
+                .iter_mut()
+                .zip(&self.world_constraints)
+                .filter_map(|(load, constraint)| Some((load, constraint.as_ref()?)))
+            {
+                *load = load.with_stiffness(&self.now, &constraint.projector.scale(self.spring));
             }
         }
     }
@@ -211,20 +221,20 @@ impl Held {
     /// What the spring on a station's bond pulls at it with in the linear model beside what is told of it: to be added to the force that
     /// the model has there, N.
     pub fn pulled(&self, material_point: usize) -> Vec3<f64> {
-        match self.bonds.get(material_point) {
-            Some(Some(bond)) if self.spring > 0.0 => bond.off.scale(self.spring),
+        match self.world_constraints.get(material_point) {
+            Some(Some(constraint)) if self.spring > 0.0 => constraint.off.scale(self.spring),
             _ => Vec3::zero(),
         }
     }
 
-    /// Before the second half: the forces on the stations (with [`Held::pulled`]).
+    /// Before the second half: the forces on the stations (with [`ConstrainedStep::pulled`]).
     pub fn pull(&mut self, forces: &[Vec3<f64>]) {
         self.forces.clear();
         self.forces.extend_from_slice(forces);
         self.anchors.clear();
         if self.spring > 0.0 {
-            let anchors = self.material_points.iter().zip(&self.bonds).map(|(material_point, bond)| {
-                position(&self.now, material_point) - bond.as_ref().map_or(Vec3::zero(), |bond| bond.off)
+            let anchors = self.material_points.iter().zip(&self.world_constraints).map(|(material_point, constraint)| {
+                position(&self.now, material_point) - constraint.as_ref().map_or(Vec3::zero(), |constraint| constraint.off)
             });
             self.anchors.extend(anchors);
         }
@@ -232,7 +242,7 @@ impl Held {
 
     /// The Lagrangian of the present forces and springs, and its rounding, where the potential and elements are given.
     pub(super) fn lagrangian(&self, potential: Merit, elements: &[ElementState<f64>]) -> Merit {
-        let springs = if self.spring > 0.0 { &self.bonds[..] } else { &[] };
+        let springs = if self.spring > 0.0 { &self.world_constraints[..] } else { &[] };
         lagrangian(self, potential, elements, springs)
     }
 
@@ -261,7 +271,7 @@ impl Held {
 }
 
 /// The strands of a pack that take part in half an iteration, by their lanes.
-pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut Held>];
+pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut ConstrainedStep>];
 
 /// What there is in some of the lanes, with the lanes.
 #[inline(always)]
@@ -293,21 +303,21 @@ fn usual_spring(inertia: f64, elements: &[ElementState<f64>], forces: &[Vec3<f64
     forces.iter().map(|force| force.norm_squared().sqrt() / shortest).fold(inertia, f64::max)
 }
 
-/// A potential and its rounding, less the forces' work, and with the energy of the springs on `bonds`.
+/// A potential and its rounding, less the forces' work, and with the energy of the springs on `world_constraints`.
 fn lagrangian(
-    held: &Held,
+    constrained: &ConstrainedStep,
     Merit { mut value, mut noise }: Merit,
     elements: &[ElementState<f64>],
-    bonds: &[Option<WorldBond>],
+    world_constraints: &[Option<WorldConstraint>],
 ) -> Merit {
-    for (index, (material_point, force)) in held.material_points.iter().zip(&held.forces).enumerate() {
+    for (index, (material_point, force)) in constrained.material_points.iter().zip(&constrained.forces).enumerate() {
         let at = position(elements, material_point);
         value -= at.dot(*force);
         noise += 8.0 * f64::EPSILON * (at.norm_squared() * force.norm_squared()).sqrt();
-        if let Some(Some(bond)) = bonds.get(index) {
-            let off = bond.held.apply(at - held.anchors[index]);
-            value += 0.5 * held.spring * off.norm_squared();
-            noise += 8.0 * f64::EPSILON * held.spring * (at.norm_squared() * off.norm_squared()).sqrt();
+        if let Some(Some(constraint)) = world_constraints.get(index) {
+            let off = constraint.projector.apply(at - constrained.anchors[index]);
+            value += 0.5 * constrained.spring * off.norm_squared();
+            noise += 8.0 * f64::EPSILON * constrained.spring * (at.norm_squared() * off.norm_squared()).sqrt();
         }
     }
     Merit { value, noise }

@@ -73,7 +73,7 @@ pub enum Partner {
 
 /// A place where something meets a strand, or soon may.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touch {
+pub struct ContactPoint {
     /// The strand's material point.
     pub place: Place,
     /// What it meets.

@@ -35,7 +35,7 @@ const TASK: usize = 8;
 
 /// A contact of a strand with one of the bodies, or a place where there may soon be one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodyTouch {
+pub struct BodyContact {
     /// Index among the named bodies.
     pub body: u32,
     /// The body's point of contact, world, m.
@@ -55,17 +55,17 @@ pub struct BodyTouch {
     pub friction: Coefficient,
     /// Force on the strand at the end of the last substep, N, world; zero without pressure.
     pub force: Vector3<f64>,
-    /// An upper bound on the force, N: it moves the strand by its own length in [`TouchCompliance::seconds`] and bends its
+    /// An upper bound on the force, N: it moves the strand by its own length in [`ContactCompliance::seconds`] and bends its
     /// elements by a radian.
-    pub most_force: f64,
+    pub max_force: f64,
     /// The stiffness of a cantilever of the strand's length about its softer bending axis, 3 EI/L³, N/m, and its resistance by
     /// internal friction, 3 γ/L³, N·s/m.
     pub resistance: [f64; 2],
-    /// Displacement of the strand's point in [`TouchCompliance::seconds`] if all forces on the strand stay constant, m, world.
+    /// Displacement of the strand's point in [`ContactCompliance::seconds`] if all forces on the strand stay constant, m, world.
     pub moved: Vector3<f64>,
 }
 
-impl BodyTouch {
+impl BodyContact {
     /// The point of the strand's centreline, world, m.
     pub fn strand_point(&self) -> Vector3<f64> {
         self.point + self.normal * (self.gap + self.margin)
@@ -74,9 +74,9 @@ impl BodyTouch {
 
 /// The ranges of contacts and of response numbers for strands with these numbers of contacts.
 pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [Range<usize>; 2]> {
-    counts.scan([0, 0], |[touch, number], count| {
-        let ranges = [*touch..*touch + count, *number..*number + 9 * count * count];
-        (*touch, *number) = (ranges[0].end, ranges[1].end);
+    counts.scan([0, 0], |[contact, number], count| {
+        let ranges = [*contact..*contact + count, *number..*number + 9 * count * count];
+        (*contact, *number) = (ranges[0].end, ranges[1].end);
         Some(ranges)
     })
 }
@@ -84,21 +84,21 @@ pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [
 /// The contacts of some bodies, and the strands' compliance between them. Its memory is reused.
 ///
 /// ```
-/// use superhelix::reading::TouchCompliance;
+/// use superhelix::reading::ContactCompliance;
 /// use superhelix::{Solver, SolverOptions};
 ///
 /// let solver = Solver::new(SolverOptions::default())?;
-/// let mut found = TouchCompliance::default();
-/// solver.touch_compliance(&[], 1.0 / 60.0, 1e-3, &mut found)?;
-/// assert!(found.touches.is_empty());
+/// let mut found = ContactCompliance::default();
+/// solver.contact_compliance(&[], 1.0 / 60.0, 1e-3, &mut found)?;
+/// assert!(found.contacts.is_empty());
 /// # Ok::<(), superhelix::Error>(())
 /// ```
 #[derive(Debug, Default)]
-pub struct TouchCompliance {
+pub struct ContactCompliance {
     /// The time span, s.
     pub seconds: f64,
     /// Strand after strand, from root to tip.
-    pub touches: Vec<BodyTouch>,
+    pub contacts: Vec<BodyContact>,
     /// The number of contacts of each strand.
     pub counts: Vec<u32>,
     /// Per strand a symmetric matrix of (3 contacts)² numbers, m/N: displacements of its points within the time by a force at one
@@ -110,8 +110,8 @@ pub struct TouchCompliance {
     /// Memory for strands with contacts.
     responses: Vec<Box<Response>>,
     /// The largest number of places of a strand so far, rounded up: every listed strand has memory for it.
-    most_places: usize,
-    contacts: Vec<(u32, f64, Contact)>,
+    max_places: usize,
+    last_contacts: Vec<(u32, f64, Contact)>,
 }
 
 /// Everything that acts on strands, beside places near the bodies.
@@ -122,23 +122,23 @@ struct Places<'a> {
     contacts: &'a [(u32, f64, Contact)],
     constraints: &'a [Constraint],
     /// A place without force and deeper than this, m, is no contact.
-    most_deep: f64,
+    max_depth: f64,
 }
 
-impl TouchCompliance {
-    /// Drops contacts that `keep` rejects; it receives their indices in [`TouchCompliance::touches`]. Dropped contacts under
+impl ContactCompliance {
+    /// Drops contacts that `keep` rejects; it receives their indices in [`ContactCompliance::contacts`]. Dropped contacts under
     /// pressure keep a constant force.
     pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
         let mut number = 0;
         for near in &mut self.near[..self.near_count] {
             near.places.retain_mut(|place| {
-                let Some(touch) = place.touch else { return true };
+                let Some(contact) = place.contact else { return true };
                 number += 1;
                 if keep(number - 1) {
                     return true;
                 }
-                place.touch = None;
-                touch.force != Vector3::zeros()
+                place.contact = None;
+                contact.force != Vector3::zeros()
             });
         }
         self.list();
@@ -146,13 +146,13 @@ impl TouchCompliance {
 
     /// Lists the contacts of the strands near the bodies.
     fn list(&mut self) {
-        self.touches.clear();
+        self.contacts.clear();
         self.counts.clear();
         for near in &self.near[..self.near_count] {
-            let before = self.touches.len();
-            self.touches.extend(near.places.iter().filter_map(|place| place.touch));
-            if self.touches.len() > before {
-                self.counts.push((self.touches.len() - before) as u32);
+            let before = self.contacts.len();
+            self.contacts.extend(near.places.iter().filter_map(|place| place.contact));
+            if self.contacts.len() > before {
+                self.counts.push((self.contacts.len() - before) as u32);
             }
         }
     }
@@ -166,19 +166,19 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`; [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a
     /// time that is not finite and above zero, or a distance that is not finite and zero or above.
-    pub fn touch_compliance(&self, bodies: &[BodyId], seconds: f64, within: f64, out: &mut TouchCompliance) -> Result<()> {
+    pub fn contact_compliance(&self, bodies: &[BodyId], seconds: f64, within: f64, out: &mut ContactCompliance) -> Result<()> {
         check_positive(|| "seconds".into(), seconds)?;
-        self.find_touches(bodies, within, out)?;
-        self.condense_touches(seconds, out)
+        self.find_contacts(bodies, within, out)?;
+        self.condense_contacts(seconds, out)
     }
 
-    /// The first half of [`Solver::touch_compliance`]: the contacts alone. Unwanted ones may then be dropped
-    /// ([`TouchCompliance::retain`]), before [`Solver::condense_touches`] computes the response of the others.
+    /// The first half of [`Solver::contact_compliance`]: the contacts alone. Unwanted ones may then be dropped
+    /// ([`ContactCompliance::retain`]), before [`Solver::condense_contacts`] computes the response of the others.
     ///
     /// # Errors
     /// [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`; [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a
     /// distance that is not finite and zero or above.
-    pub fn find_touches(&self, bodies: &[BodyId], within: f64, out: &mut TouchCompliance) -> Result<()> {
+    pub fn find_contacts(&self, bodies: &[BodyId], within: f64, out: &mut ContactCompliance) -> Result<()> {
         check_not_negative(|| "within".into(), within)?;
         let still = |(k, id): (usize, &BodyId)| -> Result<BodyAt> {
             let index = self.body_index(|| format!("bodies[{k}]"), *id)?;
@@ -187,9 +187,9 @@ impl Solver {
         let still = bodies.iter().enumerate().map(still).collect::<Result<Vec<BodyAt>>>()?;
         out.response.clear();
         self.list_near(&still, within, out);
-        self.contacts_by_strand(&mut out.contacts);
-        let most_deep = OVERLAPS * self.options.contact.tolerance;
-        let held = Places { bodies, contacts: &out.contacts, constraints: &self.constraints, most_deep };
+        self.contacts_by_strand(&mut out.last_contacts);
+        let max_depth = OVERLAPS * self.options.contact.tolerance;
+        let held = Places { bodies, contacts: &out.last_contacts, constraints: &self.constraints, max_depth };
         self.workers.for_each_task(&mut out.near[..out.near_count], TASK, usize::MAX, |strands, _| {
             for near in strands {
                 near.find(&self.strands[near.index as usize], &still, within, &held);
@@ -203,22 +203,22 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a time that is not finite and above zero.
-    pub fn condense_touches(&self, seconds: f64, out: &mut TouchCompliance) -> Result<()> {
+    pub fn condense_contacts(&self, seconds: f64, out: &mut ContactCompliance) -> Result<()> {
         check_positive(|| "seconds".into(), seconds)?;
         out.seconds = seconds;
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let near = &mut out.near[..out.near_count];
         let most = near.iter().map(|near| near.places.len()).max().unwrap_or(0);
-        if most > out.most_places {
-            out.most_places = most.next_power_of_two();
+        if most > out.max_places {
+            out.max_places = most.next_power_of_two();
         }
         for near in near.iter_mut() {
-            near.response = if near.has_touches() { Some(out.responses.pop().unwrap_or_default()) } else { None };
-            near.make_room(out.most_places);
+            near.response = if near.has_contacts() { Some(out.responses.pop().unwrap_or_default()) } else { None };
+            near.make_room(out.max_places);
         }
         self.workers.for_each_task(near, TASK, usize::MAX, |strands, _| {
-            for near in strands.iter_mut().filter(|near| near.has_touches()) {
+            for near in strands.iter_mut().filter(|near| near.has_contacts()) {
                 near.condense(&self.strands[near.index as usize], &setting, seconds);
                 if !near.is_finite() {
                     near.places.clear();
@@ -226,7 +226,7 @@ impl Solver {
             }
         });
         out.list();
-        let TouchCompliance { near, near_count, response, responses, .. } = out;
+        let ContactCompliance { near, near_count, response, responses, .. } = out;
         response.clear();
         for near in &mut near[..*near_count] {
             near.write(response);
@@ -236,7 +236,7 @@ impl Solver {
     }
 
     /// The strands that may come near some bodies, in their order.
-    fn list_near(&self, bodies: &[BodyAt], within: f64, out: &mut TouchCompliance) {
+    fn list_near(&self, bodies: &[BodyAt], within: f64, out: &mut ContactCompliance) {
         let all = bodies.iter().fold(Bounds::EMPTY, |all, body| all.union(&body.bounds.grown(body.thickness)));
         out.near_count = 0;
         for (index, strand) in self.strands.iter().enumerate() {
@@ -261,7 +261,7 @@ impl Solver {
     /// The last substep's contacts with their strands' indices and arclengths; those between strands for both.
     fn contacts_by_strand(&self, out: &mut Vec<(u32, f64, Contact)>) {
         out.clear();
-        for contact in self.holding.contacts() {
+        for contact in self.constrained_substep.contacts() {
             if let Some(index) = self.slots.index(contact.strand) {
                 out.push((index as u32, contact.arclength, *contact));
             }

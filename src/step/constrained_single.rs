@@ -1,41 +1,41 @@
 //! A strand that forces hold at stations and that takes its step by itself, an iteration at a time.
 
 use super::Setting;
-use super::held::Held;
-use super::held_pack::HeldPack;
+use super::constrained_pack::ConstrainedPack;
+use super::constrained_step::ConstrainedStep;
 use super::members::One;
 use crate::chain::load::MaterialPoint;
 use crate::math::vector::Vec3;
 
 /// A strand that takes its step by itself.
 #[derive(Debug, Default)]
-pub struct Alone {
+pub struct ConstrainedSingle {
     /// The strand.
-    pub held: Held,
-    pack: HeldPack<f64>,
+    pub step: ConstrainedStep,
+    pack: ConstrainedPack<f64>,
 }
 
-impl Alone {
+impl ConstrainedSingle {
     /// Makes room for so many stations.
     pub fn make_room(&mut self, material_points: usize) {
-        self.held.make_room(material_points);
+        self.step.make_room(material_points);
         self.pack.make_room(material_points);
     }
 
     /// Begins a step of `h` seconds; `first_order`: by implicit Euler whatever the setting says.
     pub fn begin(&mut self, one: &One, setting: &Setting, h: f64, first_order: bool) {
-        self.pack.begin(one, setting, h, first_order, &mut [Some(&mut self.held)]);
+        self.pack.begin(one, setting, h, first_order, &mut [Some(&mut self.step)]);
     }
 
-    /// [`Held::hold`], and the first half of an iteration.
+    /// [`ConstrainedStep::hold`], and the first half of an iteration.
     pub fn linearise(&mut self, material_points: &[MaterialPoint], guess: &[Vec3<f64>]) {
-        self.held.hold(material_points, guess, &[]);
-        self.pack.linearise(&mut [Some(&mut self.held)]);
+        self.step.hold(material_points, guess, &[]);
+        self.pack.linearise(&mut [Some(&mut self.step)]);
     }
 
-    /// [`Held::pull`], and the second half.
+    /// [`ConstrainedStep::pull`], and the second half.
     pub fn advance(&mut self, setting: &Setting, forces: &[Vec3<f64>]) {
-        self.held.pull(forces);
-        self.pack.advance(setting, &mut [Some(&mut self.held)]);
+        self.step.pull(forces);
+        self.pack.advance(setting, &mut [Some(&mut self.step)]);
     }
 }

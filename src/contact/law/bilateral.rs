@@ -9,7 +9,7 @@ use crate::error::{Result, check_not_negative};
 
 /// Which parts of `u` a bond holds at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum BondAxes {
+pub enum ConstrainedAxes {
     /// All three.
     All,
     /// The two across this direction (unit, world): free to go along it, or to turn about it.
@@ -20,23 +20,23 @@ pub enum BondAxes {
 
 /// Two points, or two rotations, held together: u + compliance λ = 0 along the held axes, λ = 0 along the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bond {
+pub struct BilateralLaw {
     /// What is held.
-    pub axes: BondAxes,
+    pub axes: ConstrainedAxes,
     /// m/N (between rotations rad/(N·m)), zero or above; zero: exactly held.
     pub compliance: f64,
 }
 
-impl Bond {
+impl BilateralLaw {
     /// The held directions, unit and perpendicular to each other, world axes.
     pub fn directions(&self) -> impl Iterator<Item = Vector3<f64>> + use<> {
         let (held, count) = match self.axes {
-            BondAxes::All => ([Vector3::x(), Vector3::y(), Vector3::z()], 3),
-            BondAxes::Across(d) => {
+            ConstrainedAxes::All => ([Vector3::x(), Vector3::y(), Vector3::z()], 3),
+            ConstrainedAxes::Across(d) => {
                 let [s, t] = across(&d);
                 ([s, t, d], 2)
             }
-            BondAxes::Along(d) => ([d; 3], 1),
+            ConstrainedAxes::Along(d) => ([d; 3], 1),
         };
         held.into_iter().take(count)
     }
@@ -44,15 +44,15 @@ impl Bond {
     /// The part of a vector along the held directions.
     fn held(&self, v: Vector3<f64>) -> Vector3<f64> {
         match self.axes {
-            BondAxes::All => v,
-            BondAxes::Across(d) => v - d * v.dot(&d),
-            BondAxes::Along(d) => d * v.dot(&d),
+            ConstrainedAxes::All => v,
+            ConstrainedAxes::Across(d) => v - d * v.dot(&d),
+            ConstrainedAxes::Along(d) => d * v.dot(&d),
         }
     }
 
     /// See [`super::Law::check`].
     pub(super) fn check(&self, argument: impl Display) -> Result<()> {
-        if let BondAxes::Across(d) | BondAxes::Along(d) = &self.axes {
+        if let ConstrainedAxes::Across(d) | ConstrainedAxes::Along(d) = &self.axes {
             check_unit(|| format!("{argument}.direction"), d)?;
         }
         check_not_negative(|| format!("{argument}.compliance"), self.compliance)
@@ -61,28 +61,28 @@ impl Bond {
     /// See [`super::Law::residual`].
     pub(super) fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, length: f64, force: f64) -> f64 {
         let held = self.held(lambda);
-        let miss = self.held(u) + held * self.compliance;
-        (miss.norm() / length).max((lambda - held).norm() / force)
+        let residual = self.held(u) + held * self.compliance;
+        (residual.norm() / length).max((lambda - held).norm() / force)
     }
 }
 
 /// A bond's law with its W.
 #[derive(Debug, Clone, Copy)]
-pub struct BondSolve {
+pub struct BilateralSolve {
     /// Force per free displacement, N/m.
     stiffness: Matrix3<f64>,
 }
 
-impl BondSolve {
-    pub(super) fn new(bond: &Bond, response: &Matrix3<f64>) -> Self {
+impl BilateralSolve {
+    pub(super) fn new(bilateral: &BilateralLaw, response: &Matrix3<f64>) -> Self {
         let mut held = [Vector3::zeros(); 3];
-        for (slot, d) in held.iter_mut().zip(bond.directions()) {
+        for (slot, d) in held.iter_mut().zip(bilateral.directions()) {
             *slot = d;
         }
         let basis = Matrix3::from_columns(&held);
-        let eigen = (basis.tr_mul(response) * basis + basis.tr_mul(&basis) * bond.compliance).symmetric_eigen();
+        let eigen = (basis.tr_mul(response) * basis + basis.tr_mul(&basis) * bilateral.compliance).symmetric_eigen();
         // What no force can move takes none: the pseudoinverse.
-        let least = 64.0 * f64::EPSILON * (response.trace().max(0.0) + bond.compliance);
+        let least = 64.0 * f64::EPSILON * (response.trace().max(0.0) + bilateral.compliance);
         let inverse = eigen.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
         let turned = basis * eigen.eigenvectors;
         Self { stiffness: turned * Matrix3::from_diagonal(&inverse) * turned.transpose() }
@@ -90,7 +90,7 @@ impl BondSolve {
 
     /// See [`super::LawSolve::solve`].
     #[inline(always)]
-    pub(super) fn solve(&self, free: Vector3<f64>) -> Vector3<f64> {
-        -(self.stiffness * free)
+    pub(super) fn solve(&self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        -(self.stiffness * unconstrained)
     }
 }

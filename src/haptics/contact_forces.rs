@@ -16,8 +16,8 @@ use crate::contact::law::contact::{Contact, Friction};
 use crate::contact::law::response::Response;
 use crate::contact::law::{Law, LawSolve};
 use crate::math::frame::Frame;
+use crate::solver::contact_compliance::BodyContact;
 use crate::solver::report::Wrench;
-use crate::solver::touch_compliance::BodyTouch;
 
 /// Sweeps end when no force changes by more than this fraction of the largest.
 const CHANGE: f64 = 1e-4;
@@ -46,7 +46,7 @@ struct ContactRow {
     /// From the handle's origin to the tool's point.
     arm: Vector3<f64>,
     /// The gap's displacement with the model's forces and a rigid tool.
-    free: Vector3<f64>,
+    unconstrained: Vector3<f64>,
     force: Vector3<f64>,
     /// The force of the last update.
     before: Vector3<f64>,
@@ -71,7 +71,7 @@ pub(super) struct Solved {
 
 /// The contacts of the current local model.
 #[derive(Debug)]
-pub(super) struct TouchForces {
+pub(super) struct ContactForces {
     rows: Vec<ContactRow>,
     teeth: Vec<Tooth>,
 }
@@ -90,12 +90,12 @@ impl Sum {
     }
 }
 
-fn law(touch: &BodyTouch, normal: Vector3<f64>, response: &Matrix3<f64>, seconds: f64) -> LawSolve {
-    let contact = Contact { normal, response: Response::Hard, friction: Friction::Coulomb(touch.friction) };
+fn law(contact: &BodyContact, normal: Vector3<f64>, response: &Matrix3<f64>, seconds: f64) -> LawSolve {
+    let contact = Contact { normal, response: Response::Hard, friction: Friction::Coulomb(contact.friction) };
     LawSolve::new(&Law::Contact(contact), response, seconds)
 }
 
-impl TouchForces {
+impl ContactForces {
     pub fn new(most: usize, teeth: Vec<Tooth>) -> Self {
         Self { rows: Vec::with_capacity(most), teeth }
     }
@@ -105,14 +105,14 @@ impl TouchForces {
         self.rows.clear();
         for (range, response) in model.strands() {
             let size = 3 * range.len();
-            for (k, touch) in model.touches[range].iter().enumerate() {
+            for (k, contact) in model.contacts[range].iter().enumerate() {
                 let own = Matrix3::from_fn(|i, j| response[(3 * k + j) * size + 3 * k + i]);
-                let arm = touch.point - model.handle.origin;
-                let law = law(touch, touch.normal, &own, model.seconds);
-                let slid = match self.teeth.get(touch.body as usize) {
-                    Some(tooth) if touch.force != Vector3::zeros() => {
-                        let near = tooth.nearest(&model.handle, touch.strand_point(), touch.tangent, touch.reach);
-                        near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MAX_SLIDE, 0.0)
+                let arm = contact.point - model.handle.origin;
+                let law = law(contact, contact.normal, &own, model.seconds);
+                let slid = match self.teeth.get(contact.body as usize) {
+                    Some(tooth) if contact.force != Vector3::zeros() => {
+                        let near = tooth.nearest(&model.handle, contact.strand_point(), contact.tangent, contact.reach);
+                        near.map_or(0.0, |near| near.distance - contact.margin - contact.gap).clamp(-MAX_SLIDE, 0.0)
                     }
                     _ => 0.0,
                 };
@@ -121,9 +121,9 @@ impl TouchForces {
                     own,
                     response: own,
                     arm,
-                    free: Vector3::zeros(),
-                    force: touch.force,
-                    before: touch.force,
+                    unconstrained: Vector3::zeros(),
+                    force: contact.force,
+                    before: contact.force,
                     slid,
                 });
             }
@@ -133,13 +133,13 @@ impl TouchForces {
     /// Displacement of the strand's point of contact `k` by the difference of the forces from the model's; `matrix` is the
     /// strand's.
     #[inline(always)]
-    fn displacement_of(rows: &[ContactRow], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
-        let size = 3 * touches.len();
+    fn displacement_of(rows: &[ContactRow], contacts: &[BodyContact], matrix: &[f64], k: usize) -> Vector3<f64> {
+        let size = 3 * contacts.len();
         // Symmetric: three columns are three rows.
         let own = &matrix[3 * k * size..][..3 * size];
         let mut sum = Vector3::zeros();
-        for (j, (row, touch)) in rows.iter().zip(touches).enumerate() {
-            let by = row.force - touch.force;
+        for (j, (row, contact)) in rows.iter().zip(contacts).enumerate() {
+            let by = row.force - contact.force;
             for axis in 0..3 {
                 let numbers = &own[axis * size + 3 * j..][..3];
                 sum[axis] += numbers[0] * by.x + numbers[1] * by.y + numbers[2] * by.z;
@@ -157,30 +157,32 @@ impl TouchForces {
         let turn = tool.rotation * model.handle.rotation.inverse();
         sum = Sum::default();
         for (range, response) in model.strands() {
-            let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
-            for (k, touch) in touches.iter().enumerate() {
-                let displacement = Self::displacement_of(rows, touches, response, k);
-                let was = touch.strand_point();
-                let now = was + touch.moved * part + displacement;
-                let carried = tool.origin + turn * (touch.point - model.handle.origin) - touch.point;
-                let found =
-                    self.teeth.get(touch.body as usize).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
+            let (rows, contacts) = (&mut self.rows[range.clone()], &model.contacts[range]);
+            for (k, contact) in contacts.iter().enumerate() {
+                let displacement = Self::displacement_of(rows, contacts, response, k);
+                let was = contact.strand_point();
+                let now = was + contact.moved * part + displacement;
+                let carried = tool.origin + turn * (contact.point - model.handle.origin) - contact.point;
+                let found = self
+                    .teeth
+                    .get(contact.body as usize)
+                    .and_then(|tooth| tooth.nearest(&tool, now, contact.tangent, contact.reach));
                 let slip = now - was - carried;
                 let (normal, gap, point) = match found {
-                    Some(near) if near.normal.dot(&(turn * touch.normal)) > SAME_SIDE => {
-                        (near.normal, near.distance - touch.margin - rows[k].slid, near.point)
+                    Some(near) if near.normal.dot(&(turn * contact.normal)) > SAME_SIDE => {
+                        (near.normal, near.distance - contact.margin - rows[k].slid, near.point)
                     }
-                    Some(_) => (touch.normal, touch.gap + touch.normal.dot(&slip), touch.point + carried),
-                    None => (touch.normal, FAR, touch.point + carried),
+                    Some(_) => (contact.normal, contact.gap + contact.normal.dot(&slip), contact.point + carried),
+                    None => (contact.normal, FAR, contact.point + carried),
                 };
                 let row = &mut rows[k];
                 row.arm = point - tool.origin;
                 let across = row.arm.cross_matrix();
                 row.response = row.own + Matrix3::identity() * compliance.linear - across * across * compliance.angular;
-                row.law = law(touch, normal, &row.response, model.seconds);
+                row.law = law(contact, normal, &row.response, model.seconds);
                 let u = normal * gap + (slip - normal * normal.dot(&slip));
                 // Without the effect of these forces.
-                row.free = u - displacement + yielded + turned.cross(&row.arm);
+                row.unconstrained = u - displacement + yielded + turned.cross(&row.arm);
                 sum.add(&row.arm, &row.force);
             }
         }
@@ -196,14 +198,14 @@ impl TouchForces {
         while solved.sweeps < max_sweeps && !self.rows.is_empty() {
             let (mut change, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
             for (range, response) in model.strands() {
-                let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
-                for k in 0..touches.len() {
-                    let mut u = Self::displacement_of(rows, touches, response, k);
+                let (rows, contacts) = (&mut self.rows[range.clone()], &model.contacts[range]);
+                for k in 0..contacts.len() {
+                    let mut u = Self::displacement_of(rows, contacts, response, k);
                     let row = &mut rows[k];
-                    u += row.free + sum.force * compliance.linear + sum.moment.cross(&row.arm) * compliance.angular;
+                    u += row.unconstrained + sum.force * compliance.linear + sum.moment.cross(&row.arm) * compliance.angular;
                     let force = row.law.solve(u - row.response * row.force);
                     let size = force.norm();
-                    let most = touches[k].most_force.max(touches[k].force.norm());
+                    let most = contacts[k].max_force.max(contacts[k].force.norm());
                     let force = if size > most { force * (most / size) } else { force };
                     let by = force - row.force;
                     if by.iter().all(|x| x.is_finite()) {

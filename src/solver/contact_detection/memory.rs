@@ -1,12 +1,12 @@
 //! What is kept of touches from substep to substep, taken out and put back, for images of a scene.
 
-use super::{Remembered, Touching, With};
+use super::{ContactDetection, WarmStartForce, With};
 use crate::contact::hair_pairs::PairMemory;
 
 /// The last substep's touches, and the pairs of strands that were near each other.
 #[derive(Debug, Clone, Default)]
-pub(in crate::solver) struct TouchMemory {
-    pub remembered: Vec<Remembered>,
+pub(in crate::solver) struct ContactMemory {
+    pub warm_start: Vec<WarmStartForce>,
     pub pairs: Option<NearStrands>,
 }
 
@@ -17,29 +17,29 @@ pub(in crate::solver) struct NearStrands {
     pub memory: PairMemory,
 }
 
-impl Touching {
+impl ContactDetection {
     /// What is kept.
-    pub fn memory(&self) -> TouchMemory {
+    pub fn memory(&self) -> ContactMemory {
         let pairs = self.pairs.memory().filter(|_| self.ready);
         let pairs = pairs.map(|memory| NearStrands { of: self.of.clone(), memory });
-        TouchMemory { remembered: self.remembered.clone(), pairs }
+        ContactMemory { warm_start: self.warm_start.clone(), pairs }
     }
 
     /// Goes on from there. False, and nothing is done, where its parts do not belong together or to the scene: `elements` gives the
     /// lengths of a strand's elements, `bodies` is their number.
-    pub fn take_up<'a>(&mut self, memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> bool {
-        let there = |seen: &Remembered| {
+    pub fn take_up<'a>(&mut self, memory: ContactMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> bool {
+        let there = |seen: &WarmStartForce| {
             let with = match seen.with {
                 With::Body(body) => (body as usize) < bodies,
                 With::Strand(strand) => elements(strand).is_some(),
             };
             with && elements(seen.strand).is_some() && seen.along.is_finite() && seen.force.iter().all(|x| x.is_finite())
         };
-        let key = |seen: &Remembered| (seen.strand, seen.with);
-        if !(memory.remembered.iter().all(there) && memory.remembered.is_sorted_by_key(key)) {
+        let key = |seen: &WarmStartForce| (seen.strand, seen.with);
+        if !(memory.warm_start.iter().all(there) && memory.warm_start.is_sorted_by_key(key)) {
             return false;
         }
-        let mut new = Self { remembered: memory.remembered, ..Self::default() };
+        let mut new = Self { warm_start: memory.warm_start, ..Self::default() };
         if let Some(NearStrands { of, memory }) = memory.pairs {
             let lengths: Option<Vec<&[f64]>> = of.iter().map(|strand| elements(*strand)).collect();
             let ascending = of.is_sorted_by(|a, b| a < b);

@@ -6,7 +6,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::law::Law;
-use super::law::bond::{Bond, BondAxes};
+use super::law::bilateral::{BilateralLaw, ConstrainedAxes};
 use super::law::coefficient::Coefficient;
 use super::law::contact::{Contact, Friction};
 use super::law::response::Response;
@@ -14,7 +14,7 @@ use super::law::ring::Ring;
 use super::options::{self, ContactModel, ContactOptions, StrandContact};
 use crate::chain::load::MaterialPoint;
 use crate::math::vector::Mat3;
-use crate::step::held::WorldBond;
+use crate::step::constrained_step::WorldConstraint;
 
 /// A strand is as thick as this at least where it is asked whether it is behind a body, m.
 const LEAST_MARGIN: f64 = 1e-5;
@@ -26,9 +26,9 @@ const ONE_FACE: f64 = 0.01;
 
 /// One end of a joint: which of the held strands, and where on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JointEnd {
+pub struct ConstraintEnd {
     /// Index among the strands held in this step.
-    pub held: u32,
+    pub strand: u32,
     /// Where.
     pub material_point: MaterialPoint,
 }
@@ -46,7 +46,7 @@ pub struct EndState {
 
 /// What a joint is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum JointKind {
+pub enum ConstraintKind {
     /// A body's surface.
     Body {
         /// Index of the body.
@@ -76,25 +76,25 @@ pub enum JointKind {
     /// A point of the world.
     Pin {
         /// Which constraint.
-        constraint: u32,
+        bilateral: u32,
         /// Where the end is held at the step's end.
         target: Vector3<f64>,
         /// Along which axes.
-        axes: BondAxes,
+        axes: ConstrainedAxes,
         /// m/N.
         compliance: f64,
     },
     /// Two ends held together.
     Tie {
         /// Which constraint.
-        constraint: u32,
+        bilateral: u32,
         /// m/N.
         compliance: f64,
     },
     /// A ring that the strand slides through.
     Ring {
         /// Which constraint.
-        constraint: u32,
+        bilateral: u32,
         /// Where it is at the step's end.
         target: Vector3<f64>,
         /// How far it goes in the step.
@@ -108,7 +108,7 @@ pub enum JointKind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standing {
     /// The law's residual, see [`Law::residual`].
-    pub miss: f64,
+    pub law_residual: f64,
     /// Whether it holds as exactly as a step's end asks.
     pub holds: bool,
     /// Whether it holds nearly enough for an island that does not get on.
@@ -119,11 +119,11 @@ pub struct Standing {
 
 impl Standing {
     /// Before the first look.
-    pub const UNKNOWN: Self = Self { miss: f64::INFINITY, holds: false, nearly: false, wakes: [true; 2] };
+    pub const UNKNOWN: Self = Self { law_residual: f64::INFINITY, holds: false, nearly: false, wakes: [true; 2] };
 
     /// Where surfaces are apart and nothing presses them.
     pub fn apart() -> Self {
-        Self { miss: 0.0, holds: true, nearly: true, wakes: [false; 2] }
+        Self { law_residual: 0.0, holds: true, nearly: true, wakes: [false; 2] }
     }
 }
 
@@ -141,13 +141,13 @@ pub enum Give {
 
 /// A joint of the present step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Joint {
+pub struct StepConstraint {
     /// Where +force acts.
-    pub first: JointEnd,
+    pub first: ConstraintEnd,
     /// Where −force acts; none where the partner is not a strand.
-    pub second: Option<JointEnd>,
+    pub second: Option<ConstraintEnd>,
     /// What it is.
-    pub kind: JointKind,
+    pub kind: ConstraintKind,
     /// The force, N, world axes: the last iteration's.
     pub force: Vector3<f64>,
     /// How much of its viscous friction there is, in the models that have it, 0 to 1: friction begins with the force that presses, so that what is all but
@@ -177,9 +177,9 @@ pub struct Joint {
     pub standing: Standing,
 }
 
-impl Joint {
+impl StepConstraint {
     /// One that nobody has looked at yet.
-    pub fn new(first: JointEnd, second: Option<JointEnd>, kind: JointKind, force: Vector3<f64>) -> Self {
+    pub fn new(first: ConstraintEnd, second: Option<ConstraintEnd>, kind: ConstraintKind, force: Vector3<f64>) -> Self {
         Self {
             first,
             second,
@@ -201,20 +201,20 @@ impl Joint {
     }
 
     /// Its ends, the first one first.
-    pub fn ends(&self) -> impl Iterator<Item = JointEnd> + use<> {
+    pub fn ends(&self) -> impl Iterator<Item = ConstraintEnd> + use<> {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
     /// Whether a strand at such a `gap` is in a body that it was not in when the step began, or beyond it: deeper than its radius.
     pub fn is_behind(&self, gap: f64) -> bool {
-        matches!(self.kind, JointKind::Body { margin, .. } if !self.deep && gap < -margin.max(LEAST_MARGIN))
+        matches!(self.kind, ConstraintKind::Body { margin, .. } if !self.deep && gap < -margin.max(LEAST_MARGIN))
     }
 
     /// Whether the force holds surfaces together, as an iteration may leave it that is not at its end. A constraint's may.
     pub fn draws(&self) -> bool {
         match self.kind {
-            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => self.force.dot(&normal) < 0.0,
-            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => false,
+            ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. } => self.force.dot(&normal) < 0.0,
+            ConstraintKind::Pin { .. } | ConstraintKind::Tie { .. } | ConstraintKind::Ring { .. } => false,
         }
     }
 
@@ -226,50 +226,50 @@ impl Joint {
     /// How hard the surfaces press each other under the present force, N; zero where they draw, and of a constraint.
     pub fn pressure(&self) -> f64 {
         match self.kind {
-            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => self.force.dot(&normal).max(0.0),
-            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => 0.0,
+            ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. } => self.force.dot(&normal).max(0.0),
+            ConstraintKind::Pin { .. } | ConstraintKind::Tie { .. } | ConstraintKind::Ring { .. } => 0.0,
         }
     }
 
     /// Whether it is a touch, not a constraint.
-    pub fn is_touch(&self) -> bool {
-        matches!(self.kind, JointKind::Body { .. } | JointKind::Hair { .. })
+    pub fn is_contact(&self) -> bool {
+        matches!(self.kind, ConstraintKind::Body { .. } | ConstraintKind::Hair { .. })
     }
 
     /// From centre to centre where the surfaces of a touch just meet, m, zero or above; zero of a constraint.
     pub fn margin(&self) -> f64 {
         match self.kind {
-            JointKind::Body { margin, .. } | JointKind::Hair { margin, .. } => margin.max(0.0),
-            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => 0.0,
+            ConstraintKind::Body { margin, .. } | ConstraintKind::Hair { margin, .. } => margin.max(0.0),
+            ConstraintKind::Pin { .. } | ConstraintKind::Tie { .. } | ConstraintKind::Ring { .. } => 0.0,
         }
     }
 
     /// Whether both are touches of the same strand with the same partner.
-    pub fn is_with(&self, other: &Joint) -> bool {
-        self.first.held == other.first.held
+    pub fn is_with(&self, other: &StepConstraint) -> bool {
+        self.first.strand == other.first.strand
             && match (self.kind, other.kind) {
-                (JointKind::Body { body: a, .. }, JointKind::Body { body: b, .. }) => a == b,
-                (JointKind::Hair { .. }, JointKind::Hair { .. }) => {
-                    self.second.map(|end| end.held) == other.second.map(|end| end.held)
+                (ConstraintKind::Body { body: a, .. }, ConstraintKind::Body { body: b, .. }) => a == b,
+                (ConstraintKind::Hair { .. }, ConstraintKind::Hair { .. }) => {
+                    self.second.map(|end| end.strand) == other.second.map(|end| end.strand)
                 }
                 _ => false,
             }
     }
 
-    /// How unlike the surfaces of two touches that are [`Joint::is_with`] each other are: one less the cosine between their normals; zero
+    /// How unlike the surfaces of two touches that are [`StepConstraint::is_with`] each other are: one less the cosine between their normals; zero
     /// of hair.
-    pub fn turned(&self, other: &Joint) -> f64 {
+    pub fn turned(&self, other: &StepConstraint) -> f64 {
         match (self.kind, other.kind) {
-            (JointKind::Body { normal: a, .. }, JointKind::Body { normal: b, .. }) => 1.0 - a.dot(&b),
+            (ConstraintKind::Body { normal: a, .. }, ConstraintKind::Body { normal: b, .. }) => 1.0 - a.dot(&b),
             _ => 0.0,
         }
     }
 
     /// Whether `found` is a face of a crease that this touch began on and left for the other face when it was looked at again: both hold
     /// the point.
-    pub fn has_left(&self, found: &Joint) -> bool {
+    pub fn has_left(&self, found: &StepConstraint) -> bool {
         match (self.kind, found.kind) {
-            (JointKind::Body { side, .. }, JointKind::Body { normal, .. }) => {
+            (ConstraintKind::Body { side, .. }, ConstraintKind::Body { normal, .. }) => {
                 1.0 - side.dot(&normal) < ONE_FACE && self.turned(found) > ONE_FACE
             }
             _ => false,
@@ -277,12 +277,12 @@ impl Joint {
     }
 
     /// The constraint that it is of.
-    pub fn constraint(&self) -> Option<u32> {
+    pub fn bilateral(&self) -> Option<u32> {
         match self.kind {
-            JointKind::Pin { constraint, .. } | JointKind::Tie { constraint, .. } | JointKind::Ring { constraint, .. } => {
-                Some(constraint)
-            }
-            JointKind::Body { .. } | JointKind::Hair { .. } => None,
+            ConstraintKind::Pin { bilateral, .. }
+            | ConstraintKind::Tie { bilateral, .. }
+            | ConstraintKind::Ring { bilateral, .. } => Some(bilateral),
+            ConstraintKind::Body { .. } | ConstraintKind::Hair { .. } => None,
         }
     }
 
@@ -296,7 +296,7 @@ impl Joint {
     ) -> (Law, Vector3<f64>) {
         let [a, b] = ends;
         match self.kind {
-            JointKind::Body { normal, point, carried, margin, friction, .. } => {
+            ConstraintKind::Body { normal, point, carried, margin, friction, .. } => {
                 let slip = a.now - a.start - carried;
                 let gap = normal.dot(&(a.now - point)) - margin;
                 let start_gap = gap - normal.dot(&slip);
@@ -307,9 +307,9 @@ impl Joint {
                 } else {
                     Friction::Coulomb(scaled(pick(&contact[0].friction), friction[0]))
                 };
-                self.touch(normal, gap, start_gap, slip, friction, options, step)
+                self.contact_law(normal, gap, start_gap, slip, friction, options, step)
             }
-            JointKind::Hair { normal, margin } => {
+            ConstraintKind::Hair { normal, margin } => {
                 let slip = (a.now - a.start) - (b.now - b.start);
                 let gap = normal.dot(&(a.now - b.now)) - margin;
                 let start_gap = gap - normal.dot(&slip);
@@ -321,22 +321,22 @@ impl Joint {
                 } else {
                     Friction::Coulomb(both(&contact[0].hair_friction, &contact[1].hair_friction))
                 };
-                self.touch(normal, gap, start_gap, slip, friction, options, step)
+                self.contact_law(normal, gap, start_gap, slip, friction, options, step)
             }
-            JointKind::Pin { target, axes, compliance, .. } => {
+            ConstraintKind::Pin { target, axes, compliance, .. } => {
                 let u = a.now - target;
-                let bond = Bond { axes: self.pinned(axes, &u), compliance };
+                let bilateral = BilateralLaw { axes: self.pinned(axes, &u), compliance };
                 self.slip = a.now - a.start;
-                self.gap = bond.directions().map(|d| d.dot(&u).powi(2)).sum::<f64>().sqrt();
-                (Law::Bond(bond), u)
+                self.gap = bilateral.directions().map(|d| d.dot(&u).powi(2)).sum::<f64>().sqrt();
+                (Law::Bilateral(bilateral), u)
             }
-            JointKind::Tie { compliance, .. } => {
+            ConstraintKind::Tie { compliance, .. } => {
                 let u = a.now - b.now;
                 self.slip = (a.now - a.start) - (b.now - b.start);
                 self.gap = u.norm();
-                (Law::Bond(Bond { axes: BondAxes::All, compliance }), u)
+                (Law::Bilateral(BilateralLaw { axes: ConstrainedAxes::All, compliance }), u)
             }
-            JointKind::Ring { target, carried, friction, .. } => {
+            ConstraintKind::Ring { target, carried, friction, .. } => {
                 let off = a.now - target;
                 let slip = a.now - a.start - carried;
                 let across = off - a.tangent * a.tangent.dot(&off);
@@ -350,28 +350,33 @@ impl Joint {
 
     /// The axes that a pin holds. A lever that is held across a direction may lie against it too: one that is far off is drawn to its very
     /// end.
-    fn pinned(&self, axes: BondAxes, off: &Vector3<f64>) -> BondAxes {
+    fn pinned(&self, axes: ConstrainedAxes, off: &Vector3<f64>) -> ConstrainedAxes {
         let lever = Vector3::from(self.first.material_point.lever).norm();
         match axes {
-            BondAxes::Across(_) | BondAxes::Along(_) if lever > 0.0 && off.norm() > 0.5 * lever => BondAxes::All,
+            ConstrainedAxes::Across(_) | ConstrainedAxes::Along(_) if lever > 0.0 && off.norm() > 0.5 * lever => {
+                ConstrainedAxes::All
+            }
             axes => axes,
         }
     }
 
     /// What it holds to the world without giving way, with its first end at `now`.
-    pub fn world_bond(&self, now: &Vector3<f64>) -> Option<WorldBond> {
-        let JointKind::Pin { target, axes, compliance: 0.0, .. } = self.kind else { return None };
+    pub fn world_constraint(&self, now: &Vector3<f64>) -> Option<WorldConstraint> {
+        let ConstraintKind::Pin { target, axes, compliance: 0.0, .. } = self.kind else { return None };
         if self.give != Give::No {
             return None;
         }
         let u = now - target;
-        let bond = Bond { axes: self.pinned(axes, &u), compliance: 0.0 };
-        let (mut held, mut off) = (Matrix3::zeros(), Vector3::zeros());
-        for d in bond.directions() {
-            held += d * d.transpose();
+        let bilateral = BilateralLaw { axes: self.pinned(axes, &u), compliance: 0.0 };
+        let (mut projector, mut off) = (Matrix3::zeros(), Vector3::zeros());
+        for d in bilateral.directions() {
+            projector += d * d.transpose();
             off += d * d.dot(&u);
         }
-        Some(WorldBond { held: Mat3(std::array::from_fn(|i| std::array::from_fn(|j| held[(i, j)]))), off: off.into() })
+        Some(WorldConstraint {
+            projector: Mat3(std::array::from_fn(|i| std::array::from_fn(|j| projector[(i, j)]))),
+            off: off.into(),
+        })
     }
 
     /// Viscous friction of a touch that rubs. The coefficient is that of the way it slides at the present iterate: which way that is hardly
@@ -380,12 +385,14 @@ impl Joint {
         if self.rubs == 0.0 {
             return Friction::None;
         }
-        let way = (slip - normal * normal.dot(&slip)).try_normalize(0.0);
-        Friction::Viscous(Coefficient::uniform(self.rubs * way.map_or(coefficient.mean, |way| coefficient.at(&way))))
+        let direction = (slip - normal * normal.dot(&slip)).try_normalize(0.0);
+        Friction::Viscous(Coefficient::uniform(
+            self.rubs * direction.map_or(coefficient.mean, |direction| coefficient.at(&direction)),
+        ))
     }
 
     #[allow(clippy::too_many_arguments, reason = "the parts of one law")]
-    fn touch(
+    fn contact_law(
         &mut self,
         normal: Vector3<f64>,
         gap: f64,

@@ -40,17 +40,17 @@ fn layers(model: ContactModel, count: usize) -> (Solver, Vec<StrandId>, Vec<Stra
     let strand = StrandContact { radius: 1e-4, wisp_radius: 1e-3, ..StrandContact::default() };
     solver.set_contact(&ids, Some(&strand)).unwrap();
     solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(BALL).unwrap()))]).unwrap();
-    solver.holding.most_searches = Some(1);
+    solver.constrained_substep.max_searches = Some(1);
     (solver, ids, defs)
 }
 
 /// Moves the ball, and the roots the other way.
 fn swing(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) {
-    let way = 0.012 * Vector3::new(sine(0.21 * f64::from(step)), sine(0.13 * f64::from(step)), 0.0);
-    let roots: Vec<Frame> = defs.iter().map(|def| Frame { origin: def.root.origin - 0.5 * way, ..def.root }).collect();
+    let offset = 0.012 * Vector3::new(sine(0.21 * f64::from(step)), sine(0.13 * f64::from(step)), 0.0);
+    let roots: Vec<Frame> = defs.iter().map(|def| Frame { origin: def.root.origin - 0.5 * offset, ..def.root }).collect();
     solver.set_root_frames(ids, &roots, H).unwrap();
     let ball = solver.body_ids()[0];
-    solver.set_body_frames(&[ball], &[Frame { origin: way, ..Frame::default() }], H).unwrap();
+    solver.set_body_frames(&[ball], &[Frame { origin: offset, ..Frame::default() }], H).unwrap();
 }
 
 /// The deepest that anything is in anything, asked anew.
@@ -73,13 +73,13 @@ fn what_searches_that_are_spent_leave_is_told() {
             let (deep, tolerance) = (deepest(&mut solver, &ids), ContactOptions::default().tolerance);
             // A tenth: how deep strands are is looked for near the places that a search has found.
             if deep > 1.1 * tolerance {
-                let told = report.contact.penetration;
+                let reported = report.contact.penetration;
                 // What was deep in each other when the step began parts slowly, and may be solved.
                 assert!(
                     report.contact.unconverged > 0 || before > 2.0 * tolerance,
                     "{model:?}, step {step}: {deep:e} deep, and solved"
                 );
-                assert!(told > 0.9 * deep, "{model:?}, step {step}: {deep:e} deep, told as {told:e}");
+                assert!(reported > 0.9 * deep, "{model:?}, step {step}: {deep:e} deep, told as {reported:e}");
                 (left, most) = (left + 1, most.max(deep));
             }
             before = deep;
@@ -93,7 +93,7 @@ fn what_searches_that_are_spent_leave_is_told() {
 /// already go back.
 #[test]
 fn parts_leave_nothing_deeper_than_the_whole_did() {
-    let (mut deeper, mut better, mut parted) = (Vec::new(), 0, 0);
+    let (mut deeper, mut better, mut taking) = (Vec::new(), 0, 0);
     let (mut solver, ids, defs) = layers(ContactModel::Coulomb, 40);
     for step in 0..60 {
         swing(&mut solver, &ids, &defs, 3 * step);
@@ -101,9 +101,9 @@ fn parts_leave_nothing_deeper_than_the_whole_did() {
         let mut left = [0.0; 2];
         for (left, levels) in left.iter_mut().zip([0, 1]) {
             solver.restore(&before).unwrap();
-            (solver.options.step.max_subdivisions, solver.holding.most_searches) = (levels, Some(2));
+            (solver.options.step.max_subdivisions, solver.constrained_substep.max_searches) = (levels, Some(2));
             let report = solver.step(H, 1).unwrap();
-            parted += report.subdivided;
+            taking += report.subdivided;
             *left = deepest(&mut solver, &ids);
         }
         let allowed = left[0].max(1e-4) + 1e-5;
@@ -112,7 +112,7 @@ fn parts_leave_nothing_deeper_than_the_whole_did() {
         }
         better += u32::from(left[1] < 0.5 * left[0]);
     }
-    println!("{parted} strand steps in parts, half as deep in {better} steps");
-    assert!(parted > 20 && better >= 3, "{parted} {better}");
+    println!("{taking} strand steps in parts, half as deep in {better} steps");
+    assert!(taking > 20 && better >= 3, "{taking} {better}");
     assert!(deeper.is_empty(), "{deeper:?}");
 }

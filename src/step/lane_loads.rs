@@ -1,6 +1,6 @@
 //! The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
 
-use super::held::{Lanes, running};
+use super::constrained_step::{Lanes, running};
 use crate::chain::load::Load;
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
@@ -34,14 +34,18 @@ impl<T: Lane> PackLoads<T> {
     /// Gives every station of the strands, of so many elements each, a place among the loads.
     #[inline(always)]
     pub fn lay_out(&mut self, elements: usize, strands: Lanes) {
-        strands.iter_mut().flatten().for_each(|held| held.slots.clear());
+        strands.iter_mut().flatten().for_each(|constrained| constrained.slots.clear());
         let mut count = 0;
         for element in 0..elements {
             let first = count;
-            for held in strands.iter_mut().flatten() {
+            for constrained in strands.iter_mut().flatten() {
                 let mut next = first;
-                while held.material_points.get(held.slots.len()).is_some_and(|material_point| material_point.element == element) {
-                    held.slots.push(next as u32);
+                while constrained
+                    .material_points
+                    .get(constrained.slots.len())
+                    .is_some_and(|material_point| material_point.element == element)
+                {
+                    constrained.slots.push(next as u32);
                     next += 1;
                 }
                 while count < next {
@@ -59,8 +63,8 @@ impl<T: Lane> PackLoads<T> {
     /// Puts the strands' loads into their places.
     #[inline(always)]
     pub fn fill(&mut self, strands: Lanes) {
-        for (lane, held) in running(strands) {
-            for (slot, load) in held.slots.iter().zip(&held.loads) {
+        for (lane, constrained) in running(strands) {
+            for (slot, load) in constrained.slots.iter().zip(&constrained.loads) {
                 self.loads[*slot as usize].set_lane(lane, load);
             }
         }
@@ -77,9 +81,9 @@ impl<T: Lane> PackLoads<T> {
     #[inline(always)]
     pub fn pull(&mut self, strands: Lanes) {
         self.rest();
-        for (lane, held) in running(strands) {
-            for (material_point, slot) in held.slots.iter().enumerate() {
-                let pull = held.forces[material_point] - held.pulled(material_point);
+        for (lane, constrained) in running(strands) {
+            for (material_point, slot) in constrained.slots.iter().enumerate() {
+                let pull = constrained.forces[material_point] - constrained.pulled(material_point);
                 (0..3).for_each(|axis| self.forces[*slot as usize].0[axis].set_lane(lane, pull.0[axis]));
             }
         }

@@ -5,11 +5,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::contact_point::{ContactPoint, Partner, Place, StrandPath};
 use super::helix_distance::{Arc, PointPair, closest, direction};
 use super::pieces::{Piece, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::sides::keep_sides;
-use super::touch::{Partner, Place, StrandPath, Touch};
 
 /// Touches nearer to each other along both strands than this share of the sum of the radii are one.
 const MERGED: f64 = 0.25;
@@ -20,7 +20,7 @@ const CROSSED: f64 = 0.5;
 /// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
 const ALONG: f64 = 0.0625;
 /// The same between chords of pieces that have such tangents somewhere: half a piece's bend more to either side, sin² 0.75.
-const MOST_CHORDS: f64 = 0.47;
+const MAX_CHORDS: f64 = 0.47;
 
 /// A piece and where its ends are at the step's start and now, world, m. The start is told as the motion that all strands share has
 /// carried it along, so that what all strands do together is no motion.
@@ -59,7 +59,7 @@ pub(super) fn relative_motion(a: [Vector3<f64>; 2], b: [Vector3<f64>; 2]) -> f64
 /// A touch and what its neighbours need to know of it.
 #[derive(Debug, Clone, Copy)]
 struct Found {
-    touch: Touch,
+    contact: ContactPoint,
     along: [f64; 2],
     /// The strands crossed here, and the touch keeps the start's side.
     crossed: bool,
@@ -67,7 +67,7 @@ struct Found {
 
 /// Memory of one thread's search for touches.
 #[derive(Debug, Default)]
-pub struct TouchScratch {
+pub struct PairScratch {
     found: Vec<Found>,
 }
 
@@ -95,11 +95,11 @@ impl TwoStrands<'_> {
 
     /// Writes the touches of the strands after what `out` holds, by arclength of the first (and then of the partner). `candidates` are the
     /// pairs of pieces that may touch, in any order that does not change from call to call.
-    pub fn touches<'p>(
+    pub fn contacts<'p>(
         &self,
         candidates: impl Iterator<Item = (MovingPiece<'p>, MovingPiece<'p>)>,
-        scratch: &mut TouchScratch,
-        out: &mut Vec<Touch>,
+        scratch: &mut PairScratch,
+        out: &mut Vec<ContactPoint>,
     ) {
         scratch.found.clear();
         for (a, b) in candidates {
@@ -109,7 +109,7 @@ impl TwoStrands<'_> {
         let order = |x: &Found, y: &Found| x.along[0].total_cmp(&y.along[0]).then(x.along[1].total_cmp(&y.along[1]));
         scratch.found.sort_unstable_by(order);
         merge(&mut scratch.found, MERGED * self.radii());
-        out.extend(scratch.found.iter().map(|found| found.touch));
+        out.extend(scratch.found.iter().map(|found| found.contact));
     }
 
     fn of_pieces(&self, a: &MovingPiece, b: &MovingPiece, found: &mut Vec<Found>) {
@@ -129,7 +129,7 @@ impl TwoStrands<'_> {
         let mut near = closest(&arc_a, &arc_b, along_pieces([chords.t, chords.u], a, b), [false; 2]);
         // Where the chords cross at more than this no tangents of theirs lie along each other.
         let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
-        let may_lie_along = line_a.cross(&line_b).norm_squared() <= MOST_CHORDS * line_a.norm_squared() * line_b.norm_squared();
+        let may_lie_along = line_a.cross(&line_b).norm_squared() <= MAX_CHORDS * line_a.norm_squared() * line_b.norm_squared();
         // Arcs along each other may be bowed towards each other: one more nearest place, where the chords do not show it.
         let mut second = None;
         if may_lie_along && let Some(start) = middle_of_overlap(a, b, (radii + self.within).max(motion + inside) + sagittas) {
@@ -225,14 +225,14 @@ impl TwoStrands<'_> {
             Some(side) if side.dot(&now) <= 0.0 => side,
             _ => now,
         };
-        let touch = Touch {
+        let contact = ContactPoint {
             place: Place { strand: self.a.index, element: a.piece.element, s: near.s[0] },
             partner: Partner::Strand(Place { strand: self.b.index, element: b.piece.element, s: near.s[1] }),
             normal,
             gap: normal.dot(&near.apart) - self.radii(),
             carried: Vector3::zeros(),
         };
-        found.push(Found { touch, along, crossed: side.is_some() });
+        found.push(Found { contact, along, crossed: side.is_some() });
     }
 }
 
@@ -279,19 +279,20 @@ fn keep_sides_beside(found: &mut [Found], radii: f64) {
         let this = found[index];
         let beside = found.iter().filter(|other| other.crossed).find(|other| {
             let off = |k: usize| (other.along[k] - this.along[k]).abs();
-            off(0).max(off(1)) <= 2.0 * radii + (this.touch.gap + radii).abs() && other.touch.normal.dot(&this.touch.normal) < 0.0
+            off(0).max(off(1)) <= 2.0 * radii + (this.contact.gap + radii).abs()
+                && other.contact.normal.dot(&this.contact.normal) < 0.0
         });
-        if let Some(normal) = beside.map(|other| other.touch.normal) {
-            let distance = (this.touch.gap + radii) * this.touch.normal.dot(&normal);
-            found[index].touch.normal = normal;
-            found[index].touch.gap = distance - radii;
+        if let Some(normal) = beside.map(|other| other.contact.normal) {
+            let distance = (this.contact.gap + radii) * this.contact.normal.dot(&normal);
+            found[index].contact.normal = normal;
+            found[index].contact.gap = distance - radii;
         }
     }
 }
 
 /// Of touches nearer than `least` along both strands the one that crossed, or is deepest, stays. Sorted before and after.
 fn merge(found: &mut Vec<Found>, least: f64) {
-    let better = |x: &Found, y: &Found| (x.crossed && !y.crossed) || (x.crossed == y.crossed && x.touch.gap < y.touch.gap);
+    let better = |x: &Found, y: &Found| (x.crossed && !y.crossed) || (x.crossed == y.crossed && x.contact.gap < y.contact.gap);
     let mut kept = 0;
     'each: for index in 0..found.len() {
         let this = found[index];

@@ -6,25 +6,25 @@ use std::ops::Range;
 
 /// Where parts end, in lists that have them in order. Nothing: the problem is one part.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Parts {
+pub(super) struct Subdomains {
     coordinates: Vec<usize>,
-    touches: Vec<usize>,
+    constraints: Vec<usize>,
 }
 
-impl Parts {
+impl Subdomains {
     /// Says where the coordinates of every part of the lowest level end, a power of two of them, and the touches of every part.
-    pub(super) fn set(&mut self, coordinate_ends: impl Iterator<Item = usize>, touch_ends: &[usize]) {
+    pub(super) fn set(&mut self, coordinate_ends: impl Iterator<Item = usize>, constraint_ends: &[usize]) {
         self.coordinates.clear();
         self.coordinates.extend(coordinate_ends);
-        self.touches.clear();
-        self.touches.extend_from_slice(touch_ends);
-        assert!(self.lowest().is_power_of_two() && self.touches.len() == 2 * self.lowest() - 1, "{self:?}");
+        self.constraints.clear();
+        self.constraints.extend_from_slice(constraint_ends);
+        assert!(self.lowest().is_power_of_two() && self.constraints.len() == 2 * self.lowest() - 1, "{self:?}");
     }
 
     /// Makes the problem one part.
     pub(super) fn clear(&mut self) {
         self.coordinates.clear();
-        self.touches.clear();
+        self.constraints.clear();
     }
 
     /// How many parts the lowest level has.
@@ -38,8 +38,8 @@ impl Parts {
     }
 
     /// Where the touches of every part end, of `all`.
-    pub(super) fn touch_ends(&self, all: usize) -> impl Iterator<Item = usize> {
-        ends(&self.touches, all)
+    pub(super) fn constraint_ends(&self, all: usize) -> impl Iterator<Item = usize> {
+        ends(&self.constraints, all)
     }
 }
 
@@ -83,8 +83,9 @@ mod tests {
             for b in 0..8 {
                 let part = smallest(8, [Some(a), Some(b)]) as usize;
                 let has = |level: usize, k: usize| [a, b].iter().all(|end| lowest_of(level, k).contains(&(*end as usize)));
-                let all =
-                    levels(8).enumerate().flat_map(|(level, parts)| parts.enumerate().map(move |(k, part)| (part, level, k)));
+                let all = levels(8)
+                    .enumerate()
+                    .flat_map(|(level, subdomains)| subdomains.enumerate().map(move |(k, part)| (part, level, k)));
                 let first = all.filter(|(_, level, k)| has(*level, *k)).map(|(part, ..)| part).min();
                 assert_eq!(first, Some(part), "{a} and {b}");
             }

@@ -5,17 +5,17 @@
 //! Files:
 //!
 //! - `account.rs`: What a held substep came to: how the strands fared, the list of touches, what bodies and constraints bear.
-//! - `crowd.rs`: How many touches a strand may have.
+//! - `contact_limit.rs`: How many touches a strand may have.
 //! - `formula.rs`: By which formula held strands take their step.
 //! - `packs.rs`: Held strands side by side: which go together in a pack, and each half of an iteration pack by pack.
-//! - `parts.rs`: Strands of islands that have not come to their end take the substep again, in parts.
+//! - `substeps.rs`: Strands of islands that have not come to their end take the substep again, in parts.
 //! - `tests.rs`: What a substep promises whose searches are spent before all is found.
 
 mod account;
-mod crowd;
+mod contact_limit;
 mod formula;
 mod packs;
-mod parts;
+mod substeps;
 #[cfg(test)]
 mod tests;
 
@@ -24,29 +24,29 @@ pub use account::ContactTally;
 
 use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
+use super::contact_detection::{self, ContactDetection, ContactMemory};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Phases;
-use super::strand::{Holds, Strand};
-use super::touching::{self, TouchMemory, Touching};
+use super::strand::{Constrained, Strand};
 use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
+use crate::contact::constrained_strand::{Attachment, ConstrainedStrand};
 use crate::contact::ending::Next;
-use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
-use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
+use crate::contact::step_constraint::StepConstraint;
 use crate::math::disjoint_sets::DisjointSets;
 use crate::math::lanes::InstructionSet;
 use crate::memory::recycled;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
-use crate::step::held_packs::AnyPack;
+use crate::step::constrained_packs::AnyPack;
 use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
 use packs::{Packs, Pair, Work};
 
 /// How often strands are searched for touches that the last search did not know of.
-const MOST_SEARCHES: u32 = 16;
+const MAX_SEARCHES: u32 = 16;
 /// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
 /// not wait for the rest to be exact. (Sooner, touches would be kept that only a first guess has: a soak's energy rose.)
 const EARLY: u32 = 2;
@@ -57,16 +57,16 @@ const EARLY_ITERATIONS: u32 = 2;
 const NEAR_END: f64 = 0.03;
 
 /// What a search takes for a joint that it finds, nanoseconds or so.
-const WORK_A_JOINT: u64 = 3000;
+const WORK_A_CONSTRAINT: u64 = 3000;
 
 /// Islands of so many joints are solved by all threads together.
 const LARGE: usize = 1000;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
-pub(super) struct Holding {
+pub(super) struct ConstrainedSubstep {
     /// The strands held in the last substep; more may be kept for their memory.
-    strands: Vec<HeldStrand>,
+    strands: Vec<ConstrainedStrand>,
     count: usize,
     packs: Packs,
     islands: Vec<Island>,
@@ -76,24 +76,24 @@ pub(super) struct Holding {
     /// Islands whose strands may have to begin by another formula, and the strands that do.
     asked: Vec<bool>,
     pressed: Vec<u32>,
-    joints: Vec<Joint>,
+    constraints: Vec<StepConstraint>,
     sets: DisjointSets,
-    touching: Touching,
+    detection: ContactDetection,
     contacts: Vec<Contact>,
     /// What the last substep took beside its iterations, s.
-    beside: Beside,
+    overhead: Overhead,
     /// Seconds that contact problems took since somebody asked.
     contact_seconds: f64,
-    /// Takes parts of a substep, see `parts.rs`.
-    shorter: Option<Box<Holding>>,
-    /// How often strands are searched for touches that are missed, if not [`MOST_SEARCHES`] times.
+    /// Takes parts of a substep, see `substeps.rs`.
+    shorter: Option<Box<ConstrainedSubstep>>,
+    /// How often strands are searched for touches that are missed, if not [`MAX_SEARCHES`] times.
     #[cfg(test)]
-    most_searches: Option<u32>,
+    max_searches: Option<u32>,
 }
 
 /// What a substep takes beside its iterations, s.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Beside {
+pub(super) struct Overhead {
     /// Before them.
     pub begin: f64,
     /// After them.
@@ -121,38 +121,38 @@ pub(super) struct Scene<'a> {
     /// Whether a body goes far among strands in it: it is one of several parts.
     pub is_fast: bool,
     /// Whether the substep is a part of one: strands that it does not hold are at the end of the whole.
-    pub is_part: bool,
+    pub is_nested: bool,
 }
 
 impl Strand {
     /// Whether hair or one of the bodies may hold it in a substep of `h` seconds.
     #[inline]
-    fn may_be_held(&self, bodies: &[BodyAt], hair: bool, h: f64) -> Holds {
-        let Some(contact) = self.contact.as_deref() else { return Holds::No };
+    fn may_be_constrained(&self, bodies: &[BodyAt], hair: bool, h: f64) -> Constrained {
+        let Some(contact) = self.contact.as_deref() else { return Constrained::No };
         // What went past it while it was not there it is to meet.
         if !self.bodies_from().is_empty() || hair && contact.wisp_radius > 0.0 {
-            return Holds::Yes;
+            return Constrained::Yes;
         }
         let around = self.reach(contact, &self.root_during(h));
         let is_near = bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
-        if is_near { Holds::Perhaps } else { Holds::No }
+        if is_near { Constrained::Perhaps } else { Constrained::No }
     }
 }
 
-impl Holding {
+impl ConstrainedSubstep {
     /// The touches that carried a force at the end of the last substep.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
     }
 
     /// What a substep takes beside its iterations, as far as that is known.
-    pub fn beside(&self) -> Beside {
-        self.beside
+    pub fn overhead(&self) -> Overhead {
+        self.overhead
     }
 
     /// The seconds that searches and contact problems took since this was asked last.
     pub fn take_phases(&mut self) -> Phases {
-        let (search, contact) = (self.touching.take_seconds(), std::mem::take(&mut self.contact_seconds));
+        let (search, contact) = (self.detection.take_seconds(), std::mem::take(&mut self.contact_seconds));
         let mut phases = Phases { search, contact, ..Phases::default() };
         if let Some(shorter) = &mut self.shorter {
             phases.add(&shorter.take_phases());
@@ -162,7 +162,7 @@ impl Holding {
 
     /// Forgets who touched whom: strands or bodies have other indices now.
     pub fn forget(&mut self) {
-        self.touching.forget();
+        self.detection.forget();
         self.contacts.clear();
     }
 
@@ -173,32 +173,33 @@ impl Holding {
 
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
-        self.touching.forget_pairs();
+        self.detection.forget_pairs();
     }
 
     /// What is kept of the last substep's touches.
-    pub fn memory(&self) -> TouchMemory {
-        self.touching.memory()
+    pub fn memory(&self) -> ContactMemory {
+        self.detection.memory()
     }
 
-    /// A solver's memory as it was, see [`Touching::take_up`].
-    pub fn taken_up<'a>(memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
+    /// A solver's memory as it was, see [`ContactDetection::take_up`].
+    pub fn taken_up<'a>(memory: ContactMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
         let mut new = Self::default();
-        new.touching.take_up(memory, elements, bodies).then_some(new)
+        new.detection.take_up(memory, elements, bodies).then_some(new)
     }
 
     /// Marks the strands that this substep of `h` seconds holds. True where a body that is near is all that may hold some.
     pub fn mark(scene: &mut Scene, h: f64) -> bool {
         let (hair, mut are_near) = (scene.options.hair, false);
         for strand in scene.strands.iter_mut() {
-            strand.holds = if strand.is_aside() { Holds::No } else { strand.may_be_held(scene.bodies, hair, h) };
-            are_near |= strand.holds == Holds::Perhaps;
+            strand.constrained =
+                if strand.is_aside() { Constrained::No } else { strand.may_be_constrained(scene.bodies, hair, h) };
+            are_near |= strand.constrained == Constrained::Perhaps;
         }
         for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             let ends = [Some(constraint.def.strand), constraint.other()];
             for index in ends.into_iter().flatten().filter_map(|id| scene.slots.index(id)) {
                 let strand = &mut scene.strands[index];
-                strand.holds = if strand.is_aside() { Holds::No } else { Holds::Yes };
+                strand.constrained = if strand.is_aside() { Constrained::No } else { Constrained::Yes };
             }
         }
         are_near
@@ -207,52 +208,52 @@ impl Holding {
     /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.
     pub fn take(&mut self, scene: &mut Scene, h: f64, levels: u32, mut account: Account) {
         let begins = scene.meter.has_deadline().then(Instant::now);
-        self.count = scene.strands.iter().filter(|strand| strand.is_held()).count();
-        self.strands.resize_with(self.strands.len().max(self.count), HeldStrand::default);
+        self.count = scene.strands.iter().filter(|strand| strand.is_constrained()).count();
+        self.strands.resize_with(self.strands.len().max(self.count), ConstrainedStrand::default);
         for constraint in scene.constraints.iter_mut() {
-            constraint.way.begin(h);
+            constraint.motion.begin(h);
         }
         self.begin(scene, h);
-        self.joints.clear();
-        self.touching.begin_step();
-        self.touching.find(scene, &mut self.strands[..self.count], true);
+        self.constraints.clear();
+        self.detection.begin_step();
+        self.detection.find(scene, &mut self.strands[..self.count], true);
         if !scene.meter.is_halted() {
-            self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
+            self.detection.constraints(scene, &self.strands[..self.count], &mut self.constraints);
         }
-        crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
-        self.hold_constraints(scene, h);
-        scene.meter.spend(self.joints.len() as u64 * WORK_A_JOINT);
-        let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { self.most_searches() };
+        contact_limit::thin_out(&mut self.constraints, &mut self.strands[..self.count], scene.meter.left());
+        self.add_bilateral(scene, h);
+        scene.meter.spend(self.constraints.len() as u64 * WORK_A_CONSTRAINT);
+        let searches = if scene.options.model.is_soft() || !self.detection.is_possible(scene) { 0 } else { self.max_searches() };
         self.tie(searches > 0);
-        self.foresee_pressing(scene, h);
+        self.predict_pressed(scene, h);
         let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
         self.solve(scene, h, account.contact, searches);
         if !scene.options.model.is_soft() {
             let strands = &mut self.strands[..self.count];
-            self.islands[..self.island_count].iter_mut().for_each(|island| island.refuse_strays(strands, h));
+            self.islands[..self.island_count].iter_mut().for_each(|island| island.reject_risen(strands, h));
         }
         scene.meter.uncounted(|| self.look_at_failures(scene));
         let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
-        let parted = if goes_on { self.choose_parts(scene) } else { Vec::new() };
+        let taking = if goes_on { self.choose_subdivided(scene) } else { Vec::new() };
         self.finish(scene, h);
-        let parts = (!parted.is_empty()).then(|| self.take_parts(scene, h, levels - 1, &parted));
-        self.tell_replaced(scene, h);
-        self.tell(scene, h, &mut account);
-        if let (None, Some(begin), Some(ends)) = (&parts, begin, ends) {
-            self.beside = Beside { begin, end: ends.elapsed().as_secs_f64() };
+        let substeps = (!taking.is_empty()).then(|| self.take_substeps(scene, h, levels - 1, &taking));
+        self.report_replaced(scene, h);
+        self.report(scene, h, &mut account);
+        if let (None, Some(begin), Some(ends)) = (&substeps, begin, ends) {
+            self.overhead = Overhead { begin, end: ends.elapsed().as_secs_f64() };
         }
-        if let Some(parts) = parts {
-            self.add_parts(&parts, account);
+        if let Some(substeps) = substeps {
+            self.add_substeps(&substeps, account);
         }
     }
 
-    fn most_searches(&self) -> u32 {
+    fn max_searches(&self) -> u32 {
         #[cfg(test)]
-        if let Some(most) = self.most_searches {
+        if let Some(most) = self.max_searches {
             return most;
         }
-        MOST_SEARCHES
+        MAX_SEARCHES
     }
 
     /// Newton's iterations of all islands, and `searches` for touches that the last search did not know of, at most.
@@ -266,17 +267,17 @@ impl Holding {
                 return self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(stopped));
             }
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-            self.touching.find(scene, strands, false);
+            self.detection.find(scene, strands, false);
             if scene.meter.is_halted() {
                 return self.interrupt(scene);
             }
-            let more = self.touching.add_missed(scene, strands, islands, &mut self.joints, h);
+            let more = self.detection.add_undetected(scene, strands, islands, &mut self.constraints, h);
             if !more && scene.meter.is_halted() {
                 return self.interrupt(scene);
             }
             if more {
                 contact.searches += 1;
-                crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
+                contact_limit::thin_out(&mut self.constraints, &mut self.strands[..self.count], scene.meter.left());
                 self.tie(rough);
             } else if islands.iter().all(|island| island.done && !island.is_to_be_tried_again()) {
                 if !(rough && self.refine()) {
@@ -292,11 +293,11 @@ impl Holding {
         if searches > 0 && !scene.meter.is_halted() {
             // No more is looked for, and what there is told.
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-            self.touching.find(scene, strands, false);
+            self.detection.find(scene, strands, false);
             if scene.meter.is_halted() {
                 return self.interrupt(scene);
             }
-            if !self.touching.tell_missed(scene, strands, islands, h) {
+            if !self.detection.report_undetected(scene, strands, islands, h) {
                 self.interrupt(scene);
             }
         }
@@ -304,11 +305,11 @@ impl Holding {
 
     /// The last search was halted: strands that it has not come to may touch anything.
     fn interrupt(&mut self, scene: &Scene) {
-        let (why, unseen) = (scene.meter.stopped(), touching::unseen(scene.options));
+        let (why, unseen) = (scene.meter.stopped(), contact_detection::unseen(scene.options));
         self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(why));
-        for held in self.strands[..self.count].iter_mut().filter(|held| held.has_gone(unseen)) {
-            held.overlooked = true;
-            self.islands[held.island as usize].interrupt(why);
+        for constrained in self.strands[..self.count].iter_mut().filter(|constrained| constrained.has_gone(unseen)) {
+            constrained.has_undetected = true;
+            self.islands[constrained.island as usize].interrupt(why);
         }
     }
 
@@ -319,47 +320,49 @@ impl Holding {
         if scene.meter.is_halted() {
             return;
         }
-        let is_looked_at = |held: &HeldStrand| held.left_deep || held.lags() || islands[held.island as usize].failed();
+        let is_looked_at = |constrained: &ConstrainedStrand| {
+            constrained.left_deep || constrained.lags() || islands[constrained.island as usize].failed()
+        };
         // Penalties were searched for at the start only.
         let all = scene.options.model.is_soft();
-        if !self.touching.is_possible(scene) || (all && !scene.is_last) || !(all || strands.iter().any(is_looked_at)) {
+        if !self.detection.is_possible(scene) || (all && !scene.is_last) || !(all || strands.iter().any(is_looked_at)) {
             return;
         }
-        for held in strands.iter_mut() {
-            held.held.gone = if all || is_looked_at(held) { f64::INFINITY } else { 0.0 };
+        for constrained in strands.iter_mut() {
+            constrained.step.gone = if all || is_looked_at(constrained) { f64::INFINITY } else { 0.0 };
         }
-        self.touching.find(scene, strands, false);
-        self.touching.tell_depths(scene, strands, islands, true);
-        if scene.meter.is_halted() || !strands.iter().any(HeldStrand::lags) {
+        self.detection.find(scene, strands, false);
+        self.detection.report_depths(scene, strands, islands, true);
+        if scene.meter.is_halted() || !strands.iter().any(ConstrainedStrand::lags) {
             return;
         }
         // Bodies that are still to come after strands are there all the same.
-        for held in strands.iter_mut() {
-            held.look_around(scene.bodies);
-            held.held.gone = if held.lags() { f64::INFINITY } else { 0.0 };
+        for constrained in strands.iter_mut() {
+            constrained.look_around(scene.bodies);
+            constrained.step.gone = if constrained.lags() { f64::INFINITY } else { 0.0 };
         }
-        self.touching.find(scene, strands, false);
-        self.touching.tell_depths(scene, strands, islands, false);
+        self.detection.find(scene, strands, false);
+        self.detection.report_depths(scene, strands, islands, false);
     }
 
     /// The marked strands, each with its place in `strands`.
     fn pairs<'a>(
         strands: &'a mut [Strand],
-        held: &'a mut [HeldStrand],
-    ) -> impl Iterator<Item = (&'a mut Strand, &'a mut HeldStrand)> {
-        strands.iter_mut().filter(|strand| strand.is_held()).zip(held)
+        constrained: &'a mut [ConstrainedStrand],
+    ) -> impl Iterator<Item = (&'a mut Strand, &'a mut ConstrainedStrand)> {
+        strands.iter_mut().filter(|strand| strand.is_constrained()).zip(constrained)
     }
 
     /// Begins the step of those strands anew that are marked for it, by implicit Euler.
-    fn restart(scene: &mut Scene, packs: &mut Packs, held: &mut [HeldStrand], h: f64) {
-        if !held.iter().any(|held| held.begins_again) || scene.meter.is_halted() {
+    fn restart(scene: &mut Scene, packs: &mut Packs, constrained: &mut [ConstrainedStrand], h: f64) {
+        if !constrained.iter().any(|constrained| constrained.begins_again) || scene.meter.is_halted() {
             return;
         }
-        for held in held.iter_mut().filter(|held| held.begins_again) {
-            (held.first_order, held.resting, held.looked_ahead) = (true, false, false);
+        for constrained in constrained.iter_mut().filter(|constrained| constrained.begins_again) {
+            (constrained.first_order, constrained.resting, constrained.looked_ahead) = (true, false, false);
         }
-        packs.begin(scene, held, h, |held| held.begins_again);
-        held.iter_mut().for_each(|held| held.begins_again = false);
+        packs.begin(scene, constrained, h, |constrained| constrained.begins_again);
+        constrained.iter_mut().for_each(|constrained| constrained.begins_again = false);
     }
 
     /// Makes the ends the strands' states.
@@ -371,91 +374,98 @@ impl Holding {
         let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let (setting, bodies) = (scene.setting, scene.bodies);
         let (stopped, fast) = (scene.meter.stopped(), scene.is_fast && !scene.options.model.is_soft());
-        let finish_one = |pack: &mut AnyPack, strand: &mut Strand, held: &mut HeldStrand, scratch: &mut WorkerScratch| {
-            let island = &islands[held.island as usize];
-            let left = island.ending.stopped != Stopped::No;
-            if stopped == Stopped::Cancelled || stopped != Stopped::No && !held.advanced {
-                held.held.outcome = if stopped == Stopped::Cancelled {
-                    strand.go_with_root(h, bodies)
-                } else {
-                    strand.carry_along(h, bodies, setting.rules)
-                };
-                held.carried = true;
-                return;
-            }
-            let at_end = held.resting || island.ending.came_to_end;
-            let converged = !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
-            let quarantined = held.held.outcome.quarantined || island.has_lost(held);
-            let fails = !converged && !quarantined;
-            let behind = fails && island.is_behind(held);
-            let far = left && (held.residual > NEAR_END || held.residual.is_nan());
-            if fails && (left || fast || strand.is_carried()) && (behind || held.behind || far) {
-                // What a cut iteration, or one that did not find through as a body went far, has left behind a body, or a cut one far from its
-                // end, where strands get through bodies and into each other, is worse than where it was: it stays on its side.
-                held.held.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
-                held.carried = true;
-                return;
-            }
-            let root = strand.state.root;
-            let outcome = &mut held.held.outcome;
-            (outcome.converged, outcome.quarantined, outcome.left) = (converged, quarantined, left && !converged);
-            // No step bends a strand by more than the energy of going its own length in it.
-            let speed = strand.model.length() / h;
-            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
-            let lane = held.lane as usize;
-            strand.with_one(|one| pack.end(lane, one, setting, h, most_elastic, &mut scratch.step.rule, &mut held.held));
-            let outcome = held.held.outcome;
-            // (Its end may be no shape at all: then it is rolled back, and not behind.)
-            let behind = behind && !outcome.quarantined;
-            let divergence = strand.divergence.take_if(|_| behind);
-            strand.ended(outcome, setting, h, bodies, &mut scratch.step);
-            if behind {
-                strand.record_passed_bodies(&root, h, bodies, divergence);
-            } else if !outcome.quarantined && held.lags() {
-                strand.bodies_follow(held.came_to.clone());
-            }
-            strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
-        };
+        let finish_one =
+            |pack: &mut AnyPack, strand: &mut Strand, constrained: &mut ConstrainedStrand, scratch: &mut WorkerScratch| {
+                let island = &islands[constrained.island as usize];
+                let left = island.ending.stopped != Stopped::No;
+                if stopped == Stopped::Cancelled || stopped != Stopped::No && !constrained.advanced {
+                    constrained.step.outcome = if stopped == Stopped::Cancelled {
+                        strand.go_with_root(h, bodies)
+                    } else {
+                        strand.carry_along(h, bodies, setting.rules)
+                    };
+                    constrained.carried = true;
+                    return;
+                }
+                let at_end = constrained.resting || island.ending.attempt_converged;
+                let converged = !constrained.has_undetected
+                    && (island.ending.converged || (at_end && island.holds(&constrained.attachments)));
+                let quarantined = constrained.step.outcome.quarantined || island.has_diverged(constrained);
+                let fails = !converged && !quarantined;
+                let behind = fails && island.is_behind(constrained);
+                let far = left && (constrained.residual > NEAR_END || constrained.residual.is_nan());
+                if fails && (left || fast || strand.is_carried()) && (behind || constrained.behind || far) {
+                    // What a cut iteration, or one that did not find through as a body went far, has left behind a body, or a cut one far from its
+                    // end, where strands get through bodies and into each other, is worse than where it was: it stays on its side.
+                    constrained.step.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
+                    constrained.carried = true;
+                    return;
+                }
+                let root = strand.state.root;
+                let outcome = &mut constrained.step.outcome;
+                (outcome.converged, outcome.quarantined, outcome.left) = (converged, quarantined, left && !converged);
+                // No step bends a strand by more than the energy of going its own length in it.
+                let speed = strand.model.length() / h;
+                let max_elastic = strand.energies.elastic + constrained.mass * speed * speed;
+                let lane = constrained.lane as usize;
+                strand
+                    .with_one(|one| pack.end(lane, one, setting, h, max_elastic, &mut scratch.step.rule, &mut constrained.step));
+                let outcome = constrained.step.outcome;
+                // (Its end may be no shape at all: then it is rolled back, and not behind.)
+                let behind = behind && !outcome.quarantined;
+                let divergence = strand.divergence.take_if(|_| behind);
+                strand.ended(outcome, setting, h, bodies, &mut scratch.step);
+                if behind {
+                    strand.record_passed_bodies(&root, h, bodies, divergence);
+                } else if !outcome.quarantined && constrained.lags() {
+                    strand.bodies_follow(constrained.final_poses.clone());
+                }
+                strand.touched = constrained.attachments.iter().any(|end| island.constraints[end.constraint as usize].presses());
+            };
         let finish = |work: &mut Work<Pair>, scratch: &mut WorkerScratch| {
-            work.finish(setting, h, |held| stopped == Stopped::No || stopped != Stopped::Cancelled && held.advanced);
-            for (strand, held) in work.members.iter_mut().flatten() {
-                finish_one(work.pack, strand, held, scratch);
+            work.finish(setting, h, |constrained| {
+                stopped == Stopped::No || stopped != Stopped::Cancelled && constrained.advanced
+            });
+            for (strand, constrained) in work.members.iter_mut().flatten() {
+                finish_one(work.pack, strand, constrained, scratch);
             }
         };
         self.packs.with_pairs(pairs, |work| scene.workers.for_each(work, finish));
     }
 
     fn begin(&mut self, scene: &mut Scene, h: f64) {
-        let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.is_held());
-        for ((k, strand), held) in strands.zip(&mut self.strands) {
-            held.index = k as u32;
-            (held.mass, held.bending) = (strand.model.mass(), strand.model.bending_force());
-            held.touches = strand.contact.is_some();
-            held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            strand.body_motions(h, scene.bodies, &mut held.ways);
-            held.came_to.clear();
-            if held.ways.iter().zip(scene.bodies).any(|([_, end], body)| *end != body.end) {
-                held.came_to.extend(held.ways.iter().map(|[_, end]| *end));
+        let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.is_constrained());
+        for ((k, strand), constrained) in strands.zip(&mut self.strands) {
+            constrained.index = k as u32;
+            (constrained.mass, constrained.bending) = (strand.model.mass(), strand.model.bending_force());
+            constrained.contacts = strand.contact.is_some();
+            constrained.contact = strand.contact.as_deref().copied().unwrap_or_default();
+            strand.body_motions(h, scene.bodies, &mut constrained.body_motions);
+            constrained.final_poses.clear();
+            if constrained.body_motions.iter().zip(scene.bodies).any(|([_, end], body)| *end != body.end) {
+                constrained.final_poses.extend(constrained.body_motions.iter().map(|[_, end]| *end));
             }
-            held.alone = held.lags();
-            (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
-            (held.left_deep, held.overlooked, held.behind, held.carried) = (false, false, false, false);
-            (held.root_gap, held.looked_ahead, held.advanced) = (f64::INFINITY, false, false);
-            held.found.clear();
+            constrained.alone = constrained.lags();
+            (constrained.first_order, constrained.begins_again, constrained.ended, constrained.resting) =
+                (strand.touched, false, None, false);
+            (constrained.left_deep, constrained.has_undetected, constrained.behind, constrained.carried) =
+                (false, false, false, false);
+            (constrained.root_gap, constrained.looked_ahead, constrained.advanced) = (f64::INFINITY, false, false);
+            constrained.found.clear();
         }
         self.packs.clear();
-        let held = &mut self.strands[..self.count];
-        self.packs.begin(scene, held, h, |_| true);
-        scene.meter.spend(held.iter().map(HeldStrand::half_work).sum());
+        let constrained = &mut self.strands[..self.count];
+        self.packs.begin(scene, constrained, h, |_| true);
+        scene.meter.spend(constrained.iter().map(ConstrainedStrand::half_work).sum());
     }
 
     /// The constraints' joints.
-    fn hold_constraints(&mut self, scene: &Scene, h: f64) {
-        let (held, joints) = (&self.strands[..self.count], &mut self.joints);
+    fn add_bilateral(&mut self, scene: &Scene, h: f64) {
+        let (constrained, constraints) = (&self.strands[..self.count], &mut self.constraints);
         for (k, constraint) in scene.constraints.iter().enumerate() {
             let find = |id| {
                 let index = scene.slots.index(id)?;
-                let place = held.binary_search_by_key(&(index as u32), |held| held.index).ok()?;
+                let place = constrained.binary_search_by_key(&(index as u32), |constrained| constrained.index).ok()?;
                 Some((place as u32, &scene.strands[index].model))
             };
             if constraint.state.status == ConstraintStatus::Released {
@@ -467,7 +477,7 @@ impl Holding {
             if other.is_some() && second.is_none() {
                 continue;
             }
-            constraint.joints(k as u32, h, first, second, |joint| joints.push(joint));
+            constraint.step_constraints(k as u32, h, first, second, |constraint| constraints.push(constraint));
         }
     }
 
@@ -477,9 +487,9 @@ impl Holding {
         for island in &mut self.islands[..self.island_count] {
             if island.refine() {
                 goes_on = true;
-                for held in &island.strands {
-                    let held = &mut self.strands[*held as usize];
-                    (held.ended, held.resting, held.woken) = (None, false, 0);
+                for constrained in &island.strands {
+                    let constrained = &mut self.strands[*constrained as usize];
+                    (constrained.ended, constrained.resting, constrained.woken) = (None, false, 0);
                 }
             }
         }
@@ -489,14 +499,14 @@ impl Holding {
     /// Ties the joints' strands into islands, which are to be solved `rough`ly at first where that is of use.
     fn tie(&mut self, rough: bool) {
         self.sets.reset(self.count);
-        for joint in &self.joints {
-            if let Some(second) = joint.second {
-                self.sets.join(joint.first.held, second.held);
+        for constraint in &self.constraints {
+            if let Some(second) = constraint.second {
+                self.sets.join(constraint.first.strand, second.strand);
             }
         }
-        for held in &mut self.strands[..self.count] {
-            held.attachments.clear();
-            held.woken = 0;
+        for constrained in &mut self.strands[..self.count] {
+            constrained.attachments.clear();
+            constrained.woken = 0;
         }
         self.island_count = 0;
         for k in 0..self.count {
@@ -514,21 +524,25 @@ impl Holding {
         }
         for island in &mut self.islands[..self.island_count] {
             // Strands that nothing new holds hang together as they did.
-            let ended = |held: &u32| self.strands[*held as usize].ended;
-            if island.strands.iter().all(|held| ended(held).is_some())
+            let ended = |constrained: &u32| self.strands[*constrained as usize].ended;
+            if island.strands.iter().all(|constrained| ended(constrained).is_some())
                 && let Some(ending) = island.strands.first().and_then(ended)
             {
                 island.keep(ending);
             }
         }
-        for joint in self.joints.drain(..) {
-            let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
-            let number = island.joints.len() as u32;
-            island.joints.push(joint);
-            for (k, end) in joint.ends().enumerate() {
-                let attachment =
-                    Attachment { joint: number, second: k == 1, material_point: end.material_point, modelled: joint.modelled[k] };
-                self.strands[end.held as usize].attachments.push(attachment);
+        for constraint in self.constraints.drain(..) {
+            let island = &mut self.islands[self.strands[constraint.first.strand as usize].island as usize];
+            let number = island.constraints.len() as u32;
+            island.constraints.push(constraint);
+            for (k, end) in constraint.ends().enumerate() {
+                let attachment = Attachment {
+                    constraint: number,
+                    second: k == 1,
+                    material_point: end.material_point,
+                    modelled: constraint.modelled[k],
+                };
+                self.strands[end.strand as usize].attachments.push(attachment);
             }
         }
         if rough {
@@ -551,15 +565,15 @@ impl Holding {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
                     for kink in &kinks {
-                        let held = &mut strands[kink.held as usize];
-                        held.bend(kink, setting, packs.pack(held));
+                        let constrained = &mut strands[kink.strand as usize];
+                        constrained.bend(kink, setting, packs.pack(constrained));
                     }
                     island.go_on();
                     continue;
                 }
                 if island.try_again(strands, options, h) == Next::BeginsAgain {
-                    for held in &island.strands {
-                        strands[*held as usize].begins_again = true;
+                    for constrained in &island.strands {
+                        strands[*constrained as usize].begins_again = true;
                     }
                 }
             }
@@ -572,20 +586,20 @@ impl Holding {
                     island.refresh(strands, scene.bodies);
                 }
             });
-            packs.linearise(strands, islands, scene.workers, meter, |held| !islands[held.island as usize].done);
+            packs.linearise(strands, islands, scene.workers, meter, |constrained| !islands[constrained.island as usize].done);
             let begins = Instant::now();
             share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
             let mut to_solve: Vec<&mut Island> = recycled(std::mem::take(at_work));
             to_solve.extend(islands.iter_mut().filter(|island| !island.done));
-            to_solve.sort_unstable_by_key(|island| std::cmp::Reverse(island.joints.len()));
-            let large = to_solve.partition_point(|island| island.joints.len() >= LARGE);
+            to_solve.sort_unstable_by_key(|island| std::cmp::Reverse(island.constraints.len()));
+            let large = to_solve.partition_point(|island| island.constraints.len() >= LARGE);
             let (large, small) = to_solve.split_at_mut(large);
             let solve = |island: &mut Island, scratch: &mut WorkerScratch, workers: &WorkerSet| {
                 island.find_ends(strands);
                 // A number that is not finite: the strand that it comes from is told apart at the end.
                 if island.solve(strands, options, h, &mut scratch.problem, workers, meter).is_err() {
-                    (island.done, island.ending.lost) = (true, island.is_relaxed());
+                    (island.done, island.ending.diverged) = (true, island.is_relaxed());
                     island.ending.good_enough = false;
                 }
             };
@@ -625,9 +639,9 @@ impl Holding {
 
 /// Shares out what is `left` to work among the islands that go on, by their joints.
 fn share_out(islands: &mut [Island], left: u64) {
-    let weight = |island: &Island| (island.joints.len() + 1) as f64;
+    let weight = |island: &Island| (island.constraints.len() + 1) as f64;
     let all: f64 = islands.iter().filter(|island| !island.done).map(weight).sum();
     for island in islands.iter_mut().filter(|island| !island.done) {
-        island.most_work = (left as f64 * (weight(island) / all)) as u64;
+        island.max_work = (left as f64 * (weight(island) / all)) as u64;
     }
 }

@@ -4,7 +4,7 @@
 //! begins its step again leaves its pack for one of those that do. Who shares a pack changes nobody's result.
 
 use super::Scene;
-use crate::contact::held_strand::{FirstHalf, HeldStrand};
+use crate::contact::constrained_strand::{ConstrainedStrand, FirstHalf};
 use crate::contact::island::Island;
 use crate::math::frame::Frame;
 use crate::math::lane::Precision;
@@ -13,14 +13,14 @@ use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::solver::strand::{Strand, root_after};
 use crate::solver::workers::WorkerSet;
-use crate::step::held::{Held, running};
-use crate::step::held_packs::AnyPack;
+use crate::step::constrained_packs::AnyPack;
+use crate::step::constrained_step::{ConstrainedStep, running};
 use crate::step::members::{Pack, PackKey};
 use crate::step::state::StrandState;
 use crate::step::{Setting, packs};
 
 /// The most strands of a pack.
-const MOST: usize = 8;
+const MAX_LANES: usize = 8;
 
 /// The packs of a substep; more may be kept for their memory.
 #[derive(Debug, Default)]
@@ -30,7 +30,7 @@ pub(super) struct Packs {
     /// Those that begin: by formula and kind, then by iterations; and their places among the held strands.
     order: Vec<(bool, PackKey, u32, u32)>,
     /// Memory of lists of packs at work.
-    held_work: Vec<Work<'static, &'static mut HeldStrand>>,
+    strand_work: Vec<Work<'static, &'static mut ConstrainedStrand>>,
     pair_work: Vec<Work<'static, Pair<'static>>>,
 }
 
@@ -38,11 +38,11 @@ pub(super) struct Packs {
 #[derive(Debug)]
 pub(super) struct Work<'a, M> {
     pub pack: &'a mut AnyPack,
-    pub members: [Option<M>; MOST],
+    pub members: [Option<M>; MAX_LANES],
 }
 
 /// A held strand, and what the scene has of it.
-pub(super) type Pair<'a> = (&'a mut Strand, &'a mut HeldStrand);
+pub(super) type Pair<'a> = (&'a mut Strand, &'a mut ConstrainedStrand);
 
 impl Packs {
     /// Nothing is packed.
@@ -51,58 +51,64 @@ impl Packs {
     }
 
     /// Works on the packs of held strands.
-    fn with_held(&mut self, strands: &mut [HeldStrand], run: impl FnOnce(&mut [Work<'_, &mut HeldStrand>])) {
-        let place = |held: &&mut HeldStrand| (held.pack, held.lane);
-        with_work(&mut self.packs[..self.count], &mut self.held_work, strands.iter_mut(), place, run);
+    fn with_strands(&mut self, strands: &mut [ConstrainedStrand], run: impl FnOnce(&mut [Work<'_, &mut ConstrainedStrand>])) {
+        let place = |constrained: &&mut ConstrainedStrand| (constrained.pack, constrained.lane);
+        with_work(&mut self.packs[..self.count], &mut self.strand_work, strands.iter_mut(), place, run);
     }
 
     /// Works on the packs of held strands and of what the scene has of them.
     pub fn with_pairs<'a>(&mut self, pairs: impl Iterator<Item = Pair<'a>>, run: impl FnOnce(&mut [Work<'_, Pair<'a>>])) {
-        let place = |(_, held): &Pair| (held.pack, held.lane);
+        let place = |(_, constrained): &Pair| (constrained.pack, constrained.lane);
         with_work(&mut self.packs[..self.count], &mut self.pair_work, pairs, place, run);
     }
 
     /// Packs those of the held strands that are to begin, and begins their step of `h` seconds.
-    pub fn begin(&mut self, scene: &mut Scene, held: &mut [HeldStrand], h: f64, begins: impl Fn(&HeldStrand) -> bool) {
-        if held.is_empty() {
+    pub fn begin(
+        &mut self,
+        scene: &mut Scene,
+        constrained: &mut [ConstrainedStrand],
+        h: f64,
+        begins: impl Fn(&ConstrainedStrand) -> bool,
+    ) {
+        if constrained.is_empty() {
             return;
         }
         let (setting, set) = (scene.setting, scene.set);
-        let width = packs::width(Precision::F64, set).min(MOST);
+        let width = packs::width(Precision::F64, set).min(MAX_LANES);
         self.order.clear();
-        for (place, (strand, held)) in super::Holding::pairs(scene.strands, held).enumerate() {
-            if begins(held) {
+        for (place, (strand, constrained)) in super::ConstrainedSubstep::pairs(scene.strands, constrained).enumerate() {
+            if begins(constrained) {
                 strand.begin_root_move(h);
                 let kind = PackKey::of(&strand.model, &strand.state, setting.options.integrator, h);
-                self.order.push((held.first_order, kind, strand.last.iterations, place as u32));
+                self.order.push((constrained.first_order, kind, strand.last.iterations, place as u32));
             }
         }
         self.order.sort_unstable();
         for kind in self.order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             for pack in kind.chunks(width) {
                 for (lane, (.., place)) in pack.iter().enumerate() {
-                    let held = &mut held[*place as usize];
-                    (held.pack, held.lane) = (self.count as u32, lane as u32);
+                    let constrained = &mut constrained[*place as usize];
+                    (constrained.pack, constrained.lane) = (self.count as u32, lane as u32);
                 }
                 self.count += 1;
             }
         }
         self.packs.resize_with(self.packs.len().max(self.count), AnyPack::default);
-        let pairs = super::Holding::pairs(scene.strands, held).filter(|(_, held)| begins(held));
+        let pairs = super::ConstrainedSubstep::pairs(scene.strands, constrained).filter(|(_, constrained)| begins(constrained));
         // (Constraints are told of with the paths of their strands, whatever halted the step.)
         let (constrained, meter, workers) = (!scene.constraints.is_empty(), scene.meter, scene.workers);
         let begin = |Work { pack, members }: &mut Work<Pair>| {
             if !constrained && meter.is_halted() {
                 return;
             }
-            let first_order = members.iter().flatten().any(|(_, held)| held.first_order);
-            let mut strands = [const { None }; MOST];
-            let mut lanes = [const { None }; MOST];
-            for (lane, (strand, held)) in running(members) {
-                (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
+            let first_order = members.iter().flatten().any(|(_, constrained)| constrained.first_order);
+            let mut strands = [const { None }; MAX_LANES];
+            let mut lanes = [const { None }; MAX_LANES];
+            for (lane, (strand, constrained)) in running(members) {
+                (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut constrained.step));
             }
             pack.begin(&Present(strands), setting, h, first_order, set, &mut lanes);
-            members.iter_mut().flatten().for_each(|(_, held)| held.begun());
+            members.iter_mut().flatten().for_each(|(_, constrained)| constrained.begun());
         };
         self.with_pairs(pairs, |work| workers.for_each(work, |work, _| begin(work)));
     }
@@ -110,67 +116,67 @@ impl Packs {
     /// The first half of an iteration of the strands whose islands are `asked`.
     pub fn linearise(
         &mut self,
-        strands: &mut [HeldStrand],
+        strands: &mut [ConstrainedStrand],
         islands: &[Island],
         workers: &WorkerSet,
         meter: &Meter,
-        asked: impl Fn(&HeldStrand) -> bool + Sync,
+        asked: impl Fn(&ConstrainedStrand) -> bool + Sync,
     ) {
-        let linearise = |Work { pack, members }: &mut Work<&mut HeldStrand>| {
-            let mut halves = [FirstHalf::None; MOST];
-            for (lane, held) in running(members) {
-                if asked(held) && !meter.is_halted() {
-                    halves[lane] = held.hold(&islands[held.island as usize]);
-                    meter.spend(held.half_work());
+        let linearise = |Work { pack, members }: &mut Work<&mut ConstrainedStrand>| {
+            let mut halves = [FirstHalf::None; MAX_LANES];
+            for (lane, constrained) in running(members) {
+                if asked(constrained) && !meter.is_halted() {
+                    halves[lane] = constrained.hold(&islands[constrained.island as usize]);
+                    meter.spend(constrained.half_work());
                 }
             }
             if !halves.contains(&FirstHalf::ToDo) {
                 return;
             }
-            let mut lanes = [const { None }; MOST];
-            for (lane, held) in running(members).filter(|(lane, _)| halves[*lane] != FirstHalf::None) {
-                lanes[lane] = Some(&mut held.held);
+            let mut lanes = [const { None }; MAX_LANES];
+            for (lane, constrained) in running(members).filter(|(lane, _)| halves[*lane] != FirstHalf::None) {
+                lanes[lane] = Some(&mut constrained.step);
             }
             pack.linearise(&mut lanes);
         };
-        self.with_held(strands, |work| workers.for_each(work, |work, _| linearise(work)));
+        self.with_strands(strands, |work| workers.for_each(work, |work, _| linearise(work)));
     }
 
     /// The second half of the strands whose islands go on.
     pub fn advance(
         &mut self,
-        strands: &mut [HeldStrand],
+        strands: &mut [ConstrainedStrand],
         islands: &[Island],
         setting: &Setting,
         workers: &WorkerSet,
         meter: &Meter,
     ) {
-        let advance = |Work { pack, members }: &mut Work<&mut HeldStrand>| {
-            let mut goes = [false; MOST];
-            for (lane, held) in running(members) {
-                let island = &islands[held.island as usize];
+        let advance = |Work { pack, members }: &mut Work<&mut ConstrainedStrand>| {
+            let mut goes = [false; MAX_LANES];
+            for (lane, constrained) in running(members) {
+                let island = &islands[constrained.island as usize];
                 // (Where the contact problem was left there are no forces to go by.)
                 if !island.done && !meter.is_halted() {
-                    goes[lane] = held.advances(island);
-                    meter.spend(held.half_work());
+                    goes[lane] = constrained.advances(island);
+                    meter.spend(constrained.half_work());
                 }
             }
             if !goes.contains(&true) {
                 return;
             }
-            let mut lanes: [Option<&mut Held>; MOST] = [const { None }; MOST];
-            for (lane, held) in running(members).filter(|(lane, _)| goes[*lane]) {
-                lanes[lane] = Some(&mut held.held);
+            let mut lanes: [Option<&mut ConstrainedStep>; MAX_LANES] = [const { None }; MAX_LANES];
+            for (lane, constrained) in running(members).filter(|(lane, _)| goes[*lane]) {
+                lanes[lane] = Some(&mut constrained.step);
             }
             pack.advance(setting, &mut lanes);
-            running(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, held)| held.advanced());
+            running(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, constrained)| constrained.advanced());
         };
-        self.with_held(strands, |work| workers.for_each(work, |work, _| advance(work)));
+        self.with_strands(strands, |work| workers.for_each(work, |work, _| advance(work)));
     }
 
     /// The pack of a strand.
-    pub fn pack(&mut self, held: &HeldStrand) -> &mut AnyPack {
-        &mut self.packs[held.pack as usize]
+    pub fn pack(&mut self, constrained: &ConstrainedStrand) -> &mut AnyPack {
+        &mut self.packs[constrained.pack as usize]
     }
 }
 
@@ -183,7 +189,7 @@ fn with_work<'a, M, S>(
     run: impl FnOnce(&mut [Work<'a, M>]),
 ) {
     let mut work: Vec<Work<M>> = recycled(std::mem::take(memory));
-    work.extend(packs.iter_mut().map(|pack| Work { pack, members: [const { None }; MOST] }));
+    work.extend(packs.iter_mut().map(|pack| Work { pack, members: [const { None }; MAX_LANES] }));
     for item in items {
         let (pack, lane) = place(&item);
         work[pack as usize].members[lane as usize] = Some(item);
@@ -195,11 +201,11 @@ fn with_work<'a, M, S>(
 
 impl Work<'_, Pair<'_>> {
     /// Works out the ends of the strands that `ends` is true of.
-    pub fn finish(&mut self, setting: &Setting, h: f64, ends: impl Fn(&HeldStrand) -> bool) {
-        let mut strands = [const { None }; MOST];
-        let mut lanes = [const { None }; MOST];
-        for (lane, (strand, held)) in running(&mut self.members).filter(|(_, (_, held))| ends(held)) {
-            (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
+    pub fn finish(&mut self, setting: &Setting, h: f64, ends: impl Fn(&ConstrainedStrand) -> bool) {
+        let mut strands = [const { None }; MAX_LANES];
+        let mut lanes = [const { None }; MAX_LANES];
+        for (lane, (strand, constrained)) in running(&mut self.members).filter(|(_, (_, constrained))| ends(constrained)) {
+            (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut constrained.step));
         }
         if lanes.iter().any(Option::is_some) {
             self.pack.finish(&Present(strands), setting, h, &mut lanes);
@@ -208,7 +214,7 @@ impl Work<'_, Pair<'_>> {
 }
 
 /// Strands by their lanes; in others, which nobody asks for, there is one of these.
-struct Present<'a>([Option<&'a mut Strand>; MOST]);
+struct Present<'a>([Option<&'a mut Strand>; MAX_LANES]);
 
 impl Present<'_> {
     fn strand(&self, lane: usize) -> &Strand {

@@ -16,7 +16,7 @@ pub(super) const TOLERANCE: f64 = 5e-6;
 
 /// The place of the piece between two nodes that is nearest to a triangle, if there the surface is nearer than `thickness`. Pieces whose
 /// ends are inside are left alone: what matters there is where they come from.
-pub(super) fn overlooked(
+pub(super) fn find(
     ground: &Ground,
     path: &ElementPath,
     nodes: &[Node; 2],
@@ -38,7 +38,7 @@ pub(super) fn overlooked(
         return None;
     }
     let alone = |s: f64, at: &Vector3<f64>, tangent: &Vector3<f64>| {
-        let out = triangle.way_to(at);
+        let out = triangle.offset_to(at);
         let value = out.norm();
         Sample { s, value, slope: if value > 0.0 { out.dot(tangent) / value } else { 0.0 }, found: () }
     };

@@ -1,0 +1,49 @@
+//! Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
+
+use crate::chain::load::MaterialPoint;
+use crate::contact::constrained_strand::ConstrainedStrand;
+use crate::contact::contact_point::{ContactPoint, Partner};
+use crate::contact::permitted_overlap::PermittedOverlap;
+use crate::solver::strand::Strand;
+
+/// Takes back the surface of a strand in its touches with bodies; those that are farther than `within` (m) then are none.
+pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap: &PermittedOverlap, within: f64) {
+    let mut found = std::mem::take(&mut constrained.found);
+    let path = constrained.path();
+    found.retain_mut(|contact| {
+        contact.gap += permitted_overlap.sunk(path.now.along(contact.place.element as usize, contact.place.s));
+        contact.gap <= within
+    });
+    constrained.found = found;
+    constrained.root_gap += permitted_overlap.sunk(0.0);
+}
+
+/// The same for touches between strands.
+pub fn give_way_to_hair(all: &[Strand], strands: &[ConstrainedStrand], activation: f64, contacts: &mut Vec<ContactPoint>) {
+    contacts.retain_mut(|contact| {
+        let Partner::Strand(other) = contact.partner else { return true };
+        let ends = [contact.place, other].map(|place| (&strands[place.strand as usize], place));
+        let permitted_overlaps = ends.map(|(constrained, _)| all[constrained.index as usize].permitted_overlap.as_deref());
+        if permitted_overlaps == [None, None] {
+            return true;
+        }
+        let radius = |end: usize| {
+            let (constrained, place) = ends[end];
+            let fraction = |permitted_overlap: &PermittedOverlap| {
+                permitted_overlap.wisp_fraction(constrained.path().now.along(place.element as usize, place.s))
+            };
+            permitted_overlaps[end].map_or(1.0, fraction) * constrained.contact.wisp_radius
+        };
+        let [a, b] = ends.map(|(constrained, place)| constrained.path().now.position(place.element as usize, place.s));
+        // A knot may have left less of the radii.
+        contact.gap = contact.gap.max(contact.normal.dot(&(a - b)) - (radius(0) + radius(1)));
+        contact.gap <= activation
+    });
+}
+
+/// How far from the centreline a strand begins for bodies at a station, m; below zero where it may be in one by more than its radius.
+pub fn radius(all: &[Strand], constrained: &ConstrainedStrand, material_point: &MaterialPoint) -> f64 {
+    let permitted_overlap = all[constrained.index as usize].permitted_overlap.as_deref();
+    constrained.contact.radius
+        - permitted_overlap.map_or(0.0, |permitted_overlap| permitted_overlap.sunk(constrained.along(material_point)))
+}
