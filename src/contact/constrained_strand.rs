@@ -180,12 +180,12 @@ impl ConstrainedStrand {
         self.root_gap = f64::INFINITY;
         let root_gap = &mut self.root_gap;
         self.found.retain(|contact| {
-            let at_root = contact.place.element == 0 && contact.place.s == 0.0;
+            let at_root = contact.point.element == 0 && contact.point.s == 0.0;
             *root_gap = if at_root { root_gap.min(contact.gap) } else { *root_gap };
             !at_root
         });
         // Where two elements meet both may tell of one place.
-        let along = |contact: &ContactPoint| path.now.along(contact.place.element as usize, contact.place.s);
+        let along = |contact: &ContactPoint| path.now.along(contact.point.element as usize, contact.point.s);
         self.found.dedup_by(|next, last| {
             next.partner == last.partner
                 && (along(next) - along(last)).abs() <= ONE_PLACE

@@ -7,7 +7,7 @@ use crate::rod::kinematics::ElementState;
 
 /// A material point of a strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct StrandPoint {
     /// Which strand (its index in the solver).
     pub strand: u32,
     /// Which element of it.
@@ -68,14 +68,14 @@ pub enum Partner {
         feature: u32,
     },
     /// A material point of a strand.
-    Strand(Place),
+    Strand(StrandPoint),
 }
 
 /// A place where something meets a strand, or soon may.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactPoint {
     /// The strand's material point.
-    pub place: Place,
+    pub point: StrandPoint,
     /// What it meets.
     pub partner: Partner,
     /// Unit normal at the step's end, world, from the partner to the strand.

@@ -21,7 +21,7 @@ pub use knots::Tie;
 pub(crate) use memory::PairMemory;
 
 use super::broad_phase::Grid;
-use super::contact_point::{ContactPoint, Partner, Place, StrandCurve, StrandPath};
+use super::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use super::pieces::{Pieces, PlacedPieces, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::shape::Bounds;
@@ -408,12 +408,12 @@ impl HairPairs {
     /// Of the touches from `first` on drops those in a knot, and takes back the radii of those beside one.
     fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<ContactPoint>) {
         let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
-        let along = |strand: u32, place: &Place| strands[strand as usize].now.along(place.element as usize, place.s);
+        let along = |strand: u32, place: &StrandPoint| strands[strand as usize].now.along(place.element as usize, place.s);
         let mut kept = first;
         for index in first..out.len() {
             let mut contact = out[index];
             if let Partner::Strand(other) = &contact.partner {
-                let along = [along(group.a, &contact.place), along(group.b, other)];
+                let along = [along(group.a, &contact.point), along(group.b, other)];
                 let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
                 contact.gap += (1.0 - fraction) * radii;
                 if fraction < 1.0 && contact.gap > within {

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use super::across_edge::across_edge;
 use super::body::BodyAt;
 use super::body_sweep;
-use super::contact_point::{ContactPoint, Partner, Place, StrandPath};
+use super::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
@@ -236,7 +236,7 @@ impl Search<'_, '_> {
         for (s, hit) in &hits {
             self.keep_side(index, &path, piece, from, *s, hit, &ground);
         }
-        self.out[from..].sort_by(|a, b| a.place.s.total_cmp(&b.place.s));
+        self.out[from..].sort_by(|a, b| a.point.s.total_cmp(&b.point.s));
         (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
     }
 
@@ -362,7 +362,7 @@ impl Search<'_, '_> {
             let gap = found.value - self.thickness;
             // A deeper touch close by is worth more; what is left then is found when that is resolved.
             let seen = self.out[from..].iter().any(|contact| {
-                let off = (contact.place.s - found.s).abs();
+                let off = (contact.point.s - found.s).abs();
                 off < 2e-3 && contact.gap <= gap || off < 2e-4 && contact.gap <= gap + undetected_overlap::TOLERANCE
             });
             if !seen {
@@ -377,7 +377,7 @@ impl Search<'_, '_> {
             // A triangle has one minimum.
             let of_it =
                 |contact: &ContactPoint| matches!(contact.partner, Partner::Body { feature, .. } if feature == ball.triangle);
-            if self.out[from..].iter().any(|contact| of_it(contact) && contact.place.s >= nodes[0].s) {
+            if self.out[from..].iter().any(|contact| of_it(contact) && contact.point.s >= nodes[0].s) {
                 continue;
             }
             if let Some(found) = undetected_overlap::find(ground, path, nodes, ball, self.thickness) {
@@ -392,7 +392,7 @@ impl Search<'_, '_> {
 
     fn push(&mut self, index: usize, s: f64, surface: &Surface, gap: f64) {
         self.out.push(ContactPoint {
-            place: Place { strand: self.path.index, element: index as u32, s },
+            point: StrandPoint { strand: self.path.index, element: index as u32, s },
             partner: Partner::Body { body: self.body.index, feature: surface.feature },
             normal: self.body.axes_end * surface.normal,
             gap,
@@ -423,7 +423,7 @@ impl Search<'_, '_> {
         let mut deepest: Option<ContactPoint> = None;
         for contact in from..self.out.len() {
             let other = self.out[contact];
-            if (other.place.s - s).abs() > piece || other.normal.dot(&normal) >= least {
+            if (other.point.s - s).abs() > piece || other.normal.dot(&normal) >= least {
                 self.out[kept] = other;
                 kept += 1;
             } else if deepest.is_none_or(|deepest| other.gap < deepest.gap) {
@@ -435,7 +435,7 @@ impl Search<'_, '_> {
             Some(nearest) => {
                 let gap = nearest.distance - self.thickness;
                 let is_beside = |out: &[ContactPoint], gap: f64| {
-                    out.iter().any(|contact| (contact.place.s - s).abs() <= piece && contact.gap <= 0.5 * gap)
+                    out.iter().any(|contact| (contact.point.s - s).abs() <= piece && contact.gap <= 0.5 * gap)
                 };
                 // Outside there is none but those that are near.
                 if gap < 0.0 && !is_beside(&self.out[from..], gap) {
@@ -443,9 +443,9 @@ impl Search<'_, '_> {
                 }
                 // What is deeper in the body, up to its far side, came with it: the plane that was hit holds it off.
                 if let Some(lost) = deepest.filter(|lost| lost.gap < gap.min(0.0) && !is_beside(&self.out[from..], lost.gap)) {
-                    let gap = hit.normal.dot(&(path.now.at(lost.place.s).0 - hit.point)) - self.thickness;
+                    let gap = hit.normal.dot(&(path.now.at(lost.point.s).0 - hit.point)) - self.thickness;
                     if gap < 0.0 {
-                        self.push(index, lost.place.s, hit, gap);
+                        self.push(index, lost.point.s, hit, gap);
                     }
                 }
             }

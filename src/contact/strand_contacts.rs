@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::contact_point::{ContactPoint, Partner, Place, StrandPath};
+use super::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use super::helix_distance::{Arc, PointPair, closest, direction};
 use super::pieces::{Piece, Wisp};
 use super::segment_distance::closest_of_segments;
@@ -226,8 +226,8 @@ impl TwoStrands<'_> {
             _ => now,
         };
         let contact = ContactPoint {
-            place: Place { strand: self.a.index, element: a.piece.element, s: near.s[0] },
-            partner: Partner::Strand(Place { strand: self.b.index, element: b.piece.element, s: near.s[1] }),
+            point: StrandPoint { strand: self.a.index, element: a.piece.element, s: near.s[0] },
+            partner: Partner::Strand(StrandPoint { strand: self.b.index, element: b.piece.element, s: near.s[1] }),
             normal,
             gap: normal.dot(&near.apart) - self.radii(),
             carried: Vector3::zeros(),

@@ -17,7 +17,7 @@ use super::constraints::{Constraint, ConstraintStatus, Hold};
 use super::id::StrandId;
 use crate::chain::load::MaterialPoint;
 use crate::contact::constrained_strand::ConstrainedStrand;
-use crate::contact::contact_point::{ContactPoint, Partner, Place, StrandPath};
+use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::island::Island;
 use crate::contact::law::Law;
@@ -236,7 +236,7 @@ impl ContactDetection {
         contact: &ContactPoint,
     ) -> StepConstraint {
         let strand = &strands[constrained as usize];
-        let first = end(constrained, &contact.place);
+        let first = end(constrained, &contact.point);
         let (second, kind, with) = match contact.partner {
             Partner::Body { body, feature } => {
                 let at = &scene.bodies[body as usize];
@@ -489,7 +489,7 @@ impl ContactDetection {
             .iter()
             .enumerate()
             .flat_map(|(k, constrained)| constrained.found.iter().map(move |contact| (k as u32, contact)));
-        bodies.chain(self.hair.iter().map(|contact| (contact.place.strand, contact)))
+        bodies.chain(self.hair.iter().map(|contact| (contact.point.strand, contact)))
     }
 
     /// Keeps the touches' forces for the next substep.
@@ -608,6 +608,6 @@ pub(super) fn tied(constraints: &[Constraint], wisp: impl Fn(StrandId) -> Option
     }));
 }
 
-fn end(constrained: u32, place: &Place) -> ConstraintEnd {
+fn end(constrained: u32, place: &StrandPoint) -> ConstraintEnd {
     ConstraintEnd { strand: constrained, material_point: MaterialPoint::on(place.element as usize, place.s) }
 }

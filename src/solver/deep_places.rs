@@ -6,7 +6,7 @@ use super::id::{SlotMap, StrandId};
 use super::strand::Strand;
 use super::workers::WorkerSet;
 use crate::contact::body::BodyAt;
-use crate::contact::contact_point::{ContactPoint, Partner, Place, StrandCurve, StrandPath};
+use crate::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::options::StrandContact;
 use crate::contact::strand_body::{self, PathBounds, Span};
@@ -18,7 +18,7 @@ use crate::step::state::rotation_matrix;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DeepPlace {
     /// The place, and the strand by its index in the solver.
-    pub place: Place,
+    pub point: StrandPoint,
     /// The place on the other strand, or the body.
     pub partner: Partner,
     /// Distance of the centrelines along the normal, m; between strand and body that of the surfaces, below zero.
@@ -54,19 +54,19 @@ impl CurrentScene<'_> {
     /// Depth of a place beyond the permitted overlap, m.
     pub fn depth(&self, deep: &DeepPlace) -> f64 {
         match deep.partner {
-            Partner::Body { .. } => -deep.distance - self.allowed(&deep.place).1,
-            Partner::Strand(other) => deep.room.min(self.wisp_radius(&deep.place) + self.wisp_radius(&other)) - deep.distance,
+            Partner::Body { .. } => -deep.distance - self.allowed(&deep.point).1,
+            Partner::Strand(other) => deep.room.min(self.wisp_radius(&deep.point) + self.wisp_radius(&other)) - deep.distance,
         }
     }
 
     /// The part of its strand's radius that a place contributes among wisps, m.
-    pub fn wisp_radius(&self, place: &Place) -> f64 {
+    pub fn wisp_radius(&self, place: &StrandPoint) -> f64 {
         let contact = self.strands[place.strand as usize].contact.as_deref();
         contact.map_or(0.0, |contact| contact.wisp_radius) * self.allowed(place).0
     }
 
     /// The remaining wisp radius at a place, and the permitted depth of the strand in a body there.
-    fn allowed(&self, place: &Place) -> (f64, f64) {
+    fn allowed(&self, place: &StrandPoint) -> (f64, f64) {
         let strand = &self.strands[place.strand as usize];
         let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
         strand.permitted_overlap.as_deref().map_or((1.0, 0.0), |permitted_overlap| {
@@ -97,7 +97,7 @@ impl CurrentScene<'_> {
         let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);
         let mut deep: Vec<DeepPlace> = in_bodies
             .filter(|contact| contact.gap < 0.0)
-            .map(|contact| DeepPlace { place: contact.place, partner: contact.partner, distance: contact.gap, room: 0.0 })
+            .map(|contact| DeepPlace { point: contact.point, partner: contact.partner, distance: contact.gap, room: 0.0 })
             .collect();
         if self.hair {
             self.deep_in_hair(&curves, &asked, &mut deep);
@@ -107,8 +107,8 @@ impl CurrentScene<'_> {
 
     /// Depths of elements of the selected strands in bodies, surface to surface, m: at places evenly along each overlapping
     /// element.
-    pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(Place, f64)> {
-        let mut found: Vec<(usize, Vec<(Place, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
+    pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(StrandPoint, f64)> {
+        let mut found: Vec<(usize, Vec<(StrandPoint, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
         self.workers.for_each(&mut found, |(index, found), _| {
             let Strand { model, state, contact, .. } = &self.strands[*index];
             let Some(contact) = contact.as_deref().filter(|_| asked(*index)) else { return };
@@ -122,7 +122,7 @@ impl CurrentScene<'_> {
                         let s = length * f64::from(k) / f64::from(PLACES);
                         let at = to_body * (curve.position(element, s) - body.end.origin);
                         if let Some(surface) = body.shape.closest(at, thickness) {
-                            let place = Place { strand: *index as u32, element: element as u32, s };
+                            let place = StrandPoint { strand: *index as u32, element: element as u32, s };
                             found.push((place, thickness - surface.distance));
                         }
                     }
@@ -156,10 +156,10 @@ impl CurrentScene<'_> {
             pairs.contacts(group, &paths, 0.0, &mut scratch, &mut contacts);
             for contact in contacts.iter().filter(|contact| contact.gap < 0.0) {
                 let Partner::Strand(other) = contact.partner else { continue };
-                let at = |path: &StrandPath, place: &Place| path.now.position(place.element as usize, place.s);
-                let apart = at(&paths[group.a as usize], &contact.place) - at(&paths[group.b as usize], &other);
+                let at = |path: &StrandPath, place: &StrandPoint| path.now.position(place.element as usize, place.s);
+                let apart = at(&paths[group.a as usize], &contact.point) - at(&paths[group.b as usize], &other);
                 let distance = contact.normal.dot(&apart);
-                deep.push(DeepPlace { place: contact.place, partner: contact.partner, distance, room: distance - contact.gap });
+                deep.push(DeepPlace { point: contact.point, partner: contact.partner, distance, room: distance - contact.gap });
             }
         }
     }

@@ -37,7 +37,7 @@ impl Solver {
         let scene = self.current_scene(&bodies);
         let mut found = vec![Overlap::default(); self.strands.len()];
         for deep in &scene.deep_places(|_| true) {
-            let (a, depth) = (deep.place.strand as usize, scene.depth(deep));
+            let (a, depth) = (deep.point.strand as usize, scene.depth(deep));
             match deep.partner {
                 Partner::Body { body, .. } => {
                     if depth > found[a].bodies {
@@ -84,7 +84,7 @@ impl Solver {
         for deep in scene.deep_places(|_| true) {
             match deep.partner {
                 Partner::Body { .. } => {
-                    let (index, element) = (deep.place.strand as usize, deep.place.element as usize);
+                    let (index, element) = (deep.point.strand as usize, deep.point.element as usize);
                     if named[index] {
                         let permitted_overlap = made[index].get_or_insert_with(|| material_points(index));
                         for sunk in &mut permitted_overlap.sunk[element..element + 2] {
@@ -94,7 +94,7 @@ impl Solver {
                 }
                 Partner::Strand(other) => {
                     // Radii of the strands that yield, and what is left for them.
-                    let ends = [deep.place, other];
+                    let ends = [deep.point, other];
                     let gives = ends.map(|end| named[end.strand as usize]);
                     let radius = |end: usize| scene.wisp_radius(&ends[end]);
                     let (mut give, mut left) = (0.0, deep.distance);

@@ -5,7 +5,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use nalgebra::{Rotation3, Vector3};
-use superhelix::internals::contact::contact_point::{ContactPoint, Partner, Place, StrandCurve, StrandPath};
+use superhelix::internals::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
 use superhelix::internals::contact::pieces::Wisp;
 use superhelix::internals::contact::strand_contacts::PairScratch;
@@ -94,7 +94,7 @@ impl Strand {
         StrandCurve { origin: self.origin, elements: &pose.elements }
     }
 
-    fn along(&self, place: &Place) -> f64 {
+    fn along(&self, place: &StrandPoint) -> f64 {
         self.lengths[..place.element as usize].iter().sum::<f64>() + place.s
     }
 }
@@ -133,7 +133,7 @@ fn wisps(count: usize, radius: f64) -> Vec<Wisp> {
     vec![Wisp { radius, ..Wisp::default() }; count]
 }
 
-fn partner(contact: &ContactPoint) -> Place {
+fn partner(contact: &ContactPoint) -> StrandPoint {
     match contact.partner {
         Partner::Strand(place) => place,
         Partner::Body { .. } => panic!("no bodies here"),
@@ -224,7 +224,7 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
                     minima += 1;
                     let (s, u, distance) = descended(&strands, samples[0][i].0, samples[1][j].0, spacing);
                     let near = contacts.iter().any(|contact| {
-                        let (off_a, off_b) = (strands[0].along(&contact.place) - s, strands[1].along(&partner(contact)) - u);
+                        let (off_a, off_b) = (strands[0].along(&contact.point) - s, strands[1].along(&partner(contact)) - u);
                         off_a.abs().max(off_b.abs()) < 0.5 * radius + 1e-5 && contact.gap + 2.0 * radius <= distance + 1e-12
                     });
                     assert!(near, "round {round}: nothing at {s}, {u}, {distance} apart; found {contacts:?}");
@@ -243,7 +243,7 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
         for contact in &contacts {
             let other = partner(contact);
             let curves = [strands[0].curve(&poses[0]), strands[1].curve(&poses[1])];
-            let apart = curves[0].position(contact.place.element as usize, contact.place.s)
+            let apart = curves[0].position(contact.point.element as usize, contact.point.s)
                 - curves[1].position(other.element as usize, other.s);
             assert!((contact.normal.norm() - 1.0).abs() < 1e-12);
             assert!((contact.normal.dot(&apart) - 2.0 * radius - contact.gap).abs() < 1e-12);
@@ -268,17 +268,17 @@ fn touches_do_not_depend_on_which_strand_is_first() {
     // In order.
     let key = |contact: &ContactPoint| {
         let other = partner(contact);
-        (contact.place.strand, other.strand, contact.place.element, contact.place.s)
+        (contact.point.strand, other.strand, contact.point.element, contact.point.s)
     };
     assert!(there.windows(2).all(|two| key(&two[0]) <= key(&two[1])));
     for contact in &there {
-        assert!(contact.place.strand < partner(contact).strand);
-        let near = |a: &Place, b: &Place, strands: &[Strand], others: &[Strand]| {
+        assert!(contact.point.strand < partner(contact).strand);
+        let near = |a: &StrandPoint, b: &StrandPoint, strands: &[Strand], others: &[Strand]| {
             a.strand == 29 - b.strand && (strands[a.strand as usize].along(a) - others[b.strand as usize].along(b)).abs() < 1e-9
         };
         let same = back.iter().filter(|other| {
-            near(&contact.place, &partner(other), &strands, &reversed)
-                && near(&partner(contact), &other.place, &strands, &reversed)
+            near(&contact.point, &partner(other), &strands, &reversed)
+                && near(&partner(contact), &other.point, &strands, &reversed)
                 && (contact.normal + other.normal).norm() < 1e-7
                 && (contact.gap - other.gap).abs() < 1e-12
         });
@@ -294,7 +294,7 @@ fn strands_along_each_other_touch_at_the_ends_of_their_common_length() {
         let b = Strand::straight(Vector3::new(0.03, 0.0, 1.9e-3), Vector3::new(0.08, 0.08 * tilt, 0.0), 2);
         let strands = [a, b];
         let contacts = contacts_at(&strands, &wisps(2, 1e-3), &options(1e-3, 1e-3));
-        let places: Vec<f64> = contacts.iter().map(|contact| (1e6 * strands[0].along(&contact.place)).round() / 1e6).collect();
+        let places: Vec<f64> = contacts.iter().map(|contact| (1e6 * strands[0].along(&contact.point)).round() / 1e6).collect();
         for end in [0.03, 0.05, 0.07, 0.075, 0.1] {
             assert!(places.contains(&end), "tilt {tilt}: {places:?}");
         }
@@ -341,9 +341,9 @@ fn assert_same(strands: &[Strand], contacts: &[ContactPoint], expected: &[Contac
     assert_eq!(contacts.len(), expected.len(), "step {step}");
     for (contact, other) in contacts.iter().zip(expected) {
         let (p, q) = (partner(contact), partner(other));
-        assert_eq!((contact.place.strand, p.strand), (other.place.strand, q.strand));
-        let of = |place: &Place| strands[place.strand as usize].along(place);
-        let off = (of(&contact.place) - of(&other.place)).abs().max((of(&p) - of(&q)).abs());
+        assert_eq!((contact.point.strand, p.strand), (other.point.strand, q.strand));
+        let of = |place: &StrandPoint| strands[place.strand as usize].along(place);
+        let off = (of(&contact.point) - of(&other.point)).abs().max((of(&p) - of(&q)).abs());
         assert!(off < 1e-8 && (contact.gap - other.gap).abs() < 1e-12 && (contact.normal - other.normal).norm() < 1e-6);
     }
 }
@@ -408,7 +408,7 @@ fn strands_that_passed_through_each_other_keep_their_side() {
         // crossing strands at a small angle are beside each other, and have no side to keep.
         let (then, now) = crossing(1.5e-3, 2.0e-3, angle);
         let (_, contacts) = contacts_between(&mut pairs, &then, &now);
-        let at_crossing = |contact: &&ContactPoint| angle == 0.0 || (now[0].along(&contact.place) - 0.047).abs() < 3e-3;
+        let at_crossing = |contact: &&ContactPoint| angle == 0.0 || (now[0].along(&contact.point) - 0.047).abs() < 3e-3;
         assert!(contacts.iter().filter(at_crossing).count() >= 1);
         for contact in contacts.iter().filter(at_crossing) {
             assert!(contact.normal.z < -0.999_999 && (contact.gap + 2.5e-3).abs() < 1e-6, "angle {angle}: {contact:?}");
@@ -484,7 +484,7 @@ fn filters_exempt_lengths_and_a_strand_with_itself() {
     assert!(contacts.len() >= 5, "{contacts:?}");
     for contact in &contacts {
         let turn = std::f64::consts::TAU * square.sqrt();
-        let apart = coil.along(&partner(contact)) - coil.along(&contact.place);
+        let apart = coil.along(&partner(contact)) - coil.along(&contact.point);
         assert!((apart - turn).abs() < 0.3e-3 && (contact.gap + 0.5e-3).abs() < 1e-5, "{contact:?}");
     }
     assert!(meet(Wisp { meets_itself: true, radius: 0.7e-3, ..plain }).is_empty());

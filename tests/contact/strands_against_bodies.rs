@@ -30,16 +30,16 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
     let found = moving.contacts(radius, body, within);
     let thickness = radius + body.thickness;
     for contact in &found {
-        let exact = gap(moving, contact.place.element as usize, contact.place.s, thickness, body);
+        let exact = gap(moving, contact.point.element as usize, contact.point.s, thickness, body);
         // Deeper than the distance where it lies across an edge: there it is held off across itself.
-        let tangent = moving.path().now.tangent(contact.place.element as usize, contact.place.s);
+        let tangent = moving.path().now.tangent(contact.point.element as usize, contact.point.s);
         let across_edge = exact < -thickness && contact.gap < exact && contact.normal.dot(&tangent).abs() < 0.1;
         assert!(across_edge || (contact.gap - exact).abs() < 1e-12, "{name}: {contact:?} {exact}");
         assert!(contact.gap < within && contact.carried == Vector3::zeros());
-        assert!(matches!(contact.partner, Partner::Body { body: 7, .. }) && contact.place.strand == 3);
+        assert!(matches!(contact.partner, Partner::Body { body: 7, .. }) && contact.point.strand == 3);
     }
-    assert!(found.is_sorted_by(|a, b| (a.place.element, a.place.s) < (b.place.element, b.place.s)), "{name}: {found:?}");
-    let along = |contact: &ContactPoint| f64::from(contact.place.element) * LENGTH + contact.place.s;
+    assert!(found.is_sorted_by(|a, b| (a.point.element, a.point.s) < (b.point.element, b.point.s)), "{name}: {found:?}");
+    let along = |contact: &ContactPoint| f64::from(contact.point.element) * LENGTH + contact.point.s;
     let count = moving.now.1.len();
     let place = |index: usize| (index as f64) * LENGTH / SAMPLES as f64;
     let values: Vec<f64> = (0..=count * SAMPLES)
@@ -128,12 +128,12 @@ fn a_straight_strand_on_a_plane_is_held_at_its_elements_ends() {
     let body = at_rest(&shape, Frame::default(), 0.0);
     let moving = Moving::still(Vector3::new(0.0, 0.0, 0.0001), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0; 3]; 3]));
     let found = moving.contacts(0.0001, &body, 0.001);
-    let places: Vec<(u32, f64)> = found.iter().map(|contact| (contact.place.element, contact.place.s)).collect();
+    let places: Vec<(u32, f64)> = found.iter().map(|contact| (contact.point.element, contact.point.s)).collect();
     assert_eq!(places, [(0, 0.0), (0, LENGTH), (1, LENGTH), (2, LENGTH)]);
     assert!(found.iter().all(|contact| contact.gap.abs() < 1e-17 && contact.normal == Vector3::z()));
     // The exempt part ends in the second element: that place takes the root's part.
     let found = moving.contacts_from(0.025, 0.0001, &body, 0.001);
-    let places: Vec<(u32, f64)> = found.iter().map(|contact| (contact.place.element, contact.place.s)).collect();
+    let places: Vec<(u32, f64)> = found.iter().map(|contact| (contact.point.element, contact.point.s)).collect();
     assert_eq!(places.len(), 3);
     assert!(places[0].0 == 1 && (places[0].1 - 0.005).abs() < 1e-15 && places[1..] == [(1, LENGTH), (2, LENGTH)]);
 }
@@ -171,7 +171,7 @@ fn a_strand_across_an_edge_is_held_off_across_itself() {
         let deepest = found.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)).unwrap();
         let normal = deepest.normal;
         assert!(normal.dot(&direction).abs() < 1e-6, "{deepest:?} {direction:?}");
-        let at = moving.path().now.position(deepest.place.element as usize, deepest.place.s);
+        let at = moving.path().now.position(deepest.point.element as usize, deepest.point.s);
         let plane = normal.dot(&at) - (deepest.gap + radius);
         let reach = normal.abs().dot(&half);
         assert!((plane - reach).abs() < 2e-6, "{deepest:?}: {plane} {reach}");

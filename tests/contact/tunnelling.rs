@@ -96,7 +96,7 @@ fn a_strand_does_not_pass_a_sheet() {
             if heights.iter().all(|height| *height < -0.001) {
                 let deepest = found
                     .iter()
-                    .filter(|contact| contact.place.element as usize == element && contact.normal.dot(&normal) > 0.9)
+                    .filter(|contact| contact.point.element as usize == element && contact.normal.dot(&normal) > 0.9)
                     .map(|contact| contact.gap)
                     .fold(0.0, f64::min);
                 assert!(deepest < -0.001, "case {case}, element {element}: {found:#?}");
@@ -205,7 +205,7 @@ fn sweeps_agree_with_dense_sampling_of_time() {
                 let normal = end.rotation * normal;
                 // It is held nearby: pieces of strand are held at the place that is hit first, and from there.
                 let near = found.iter().filter(|contact| {
-                    let along = (f64::from(contact.place.element) - element as f64) * LENGTH + contact.place.s - s;
+                    let along = (f64::from(contact.point.element) - element as f64) * LENGTH + contact.point.s - s;
                     contact.gap < 0.0 && along.abs() < 0.51 * LENGTH
                 });
                 let agreement = near.map(|contact| contact.normal.dot(&normal)).fold(f64::NEG_INFINITY, f64::max);
@@ -230,7 +230,7 @@ fn a_deforming_sheet_takes_the_strand_along() {
     let body = BodyAt::new(7, &shape, Frame::default(), Frame::default(), 0.0);
     let moving = Moving::still(Vector3::new(-0.03, 0.0, 0.01), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0; 3]; 3]));
     let found = moving.contacts(RADIUS, &body, 1e-3);
-    let middle = found.iter().find(|contact| contact.place.element == 1 && contact.gap < -0.015);
+    let middle = found.iter().find(|contact| contact.point.element == 1 && contact.gap < -0.015);
     let middle = middle.unwrap_or_else(|| panic!("{found:#?}"));
     assert!(middle.normal.z > 0.9 && middle.carried.z > 0.02 && middle.carried.z < 0.0301, "{middle:?}");
     assert!(found.iter().all(|contact| contact.normal.z > 0.0), "{found:#?}");
@@ -312,7 +312,7 @@ fn no_piece_that_a_body_has_run_into_is_left_in_it() {
         let found: Vec<(f64, f64)> = moving
             .contacts(RADIUS, &body, 0.0)
             .iter()
-            .map(|contact| (moving.path().now.along(contact.place.element as usize, contact.place.s), contact.gap))
+            .map(|contact| (moving.path().now.along(contact.point.element as usize, contact.point.s), contact.gap))
             .collect();
         // Pieces of the strand that are in the body: where, and how deep.
         let mut pieces: Vec<[f64; 3]> = Vec::new();

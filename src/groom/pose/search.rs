@@ -179,7 +179,7 @@ impl Search {
                 let scratch = &mut self.body_search;
                 strand_body::contacts(&path, &self.bounds, span, distance, body, within, scratch, &mut state.contacts);
             }
-            state.contacts.sort_by(|a, b| (a.place.element.cmp(&b.place.element)).then(a.place.s.total_cmp(&b.place.s)));
+            state.contacts.sort_by(|a, b| (a.point.element.cmp(&b.point.element)).then(a.point.s.total_cmp(&b.point.s)));
             for contact in &state.contacts {
                 let depth = (-contact.gap).max(0.0);
                 state.depth = state.depth.max(depth);
@@ -322,9 +322,9 @@ impl DampedLeastSquares for Descent<'_> {
 
 /// How far the step takes a touching place from its body.
 fn moved(state: &State, step: &Step, contact: &ContactPoint) -> f64 {
-    let index = contact.place.element as usize;
+    let index = contact.point.element as usize;
     let element = &state.elements[index];
-    let place = Spring::at(element, index, contact.place.s);
+    let place = Spring::at(element, index, contact.point.s);
     let (psi, rho) = step.left[index];
     let displacement = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
     element.frame_left.apply(displacement).dot(contact.normal.into())
@@ -340,8 +340,8 @@ fn springs(task: &Task, state: &State, weights: Weights, in_the_way: &[bool], ou
             let off = pull.target - element.point(pull.s).position;
             out.push(Spring::at(element, index, pull.s).pulled(element, off, weights.pull * pull.weight));
         }
-        while let Some((contact, _)) = contacts.next_if(|(contact, _)| contact.place.element as usize == index) {
-            let place = Spring::at(element, index, contact.place.s);
+        while let Some((contact, _)) = contacts.next_if(|(contact, _)| contact.point.element as usize == index) {
+            let place = Spring::at(element, index, contact.point.s);
             out.push(place.pushed(element, contact.normal.into(), -contact.gap, weights.hard));
         }
         if index == last

@@ -209,9 +209,9 @@ impl ConstrainedSubstep {
         for deep in now.deep_places(|index| island(index).is_some()) {
             let (place, other) = match deep.partner {
                 // The root is where the host has put it.
-                Partner::Body { .. } if deep.place.element == 0 && deep.place.s == 0.0 => continue,
-                Partner::Body { .. } => (deep.place, None),
-                Partner::Strand(other) => (deep.place, Some(other)),
+                Partner::Body { .. } if deep.point.element == 0 && deep.point.s == 0.0 => continue,
+                Partner::Body { .. } => (deep.point, None),
+                Partner::Strand(other) => (deep.point, Some(other)),
             };
             for island in [Some(place), other].into_iter().flatten().filter_map(|place| island(place.strand as usize)) {
                 depths[island] = depths[island].max(now.depth(&deep));

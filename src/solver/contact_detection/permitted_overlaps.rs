@@ -11,7 +11,7 @@ pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap
     let mut found = std::mem::take(&mut constrained.found);
     let path = constrained.path();
     found.retain_mut(|contact| {
-        contact.gap += permitted_overlap.sunk(path.now.along(contact.place.element as usize, contact.place.s));
+        contact.gap += permitted_overlap.sunk(path.now.along(contact.point.element as usize, contact.point.s));
         contact.gap <= within
     });
     constrained.found = found;
@@ -22,7 +22,7 @@ pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap
 pub fn give_way_to_hair(all: &[Strand], strands: &[ConstrainedStrand], activation: f64, contacts: &mut Vec<ContactPoint>) {
     contacts.retain_mut(|contact| {
         let Partner::Strand(other) = contact.partner else { return true };
-        let ends = [contact.place, other].map(|place| (&strands[place.strand as usize], place));
+        let ends = [contact.point, other].map(|place| (&strands[place.strand as usize], place));
         let permitted_overlaps = ends.map(|(constrained, _)| all[constrained.index as usize].permitted_overlap.as_deref());
         if permitted_overlaps == [None, None] {
             return true;
