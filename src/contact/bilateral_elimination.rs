@@ -1,9 +1,9 @@
-//! Bonds solved directly. Strands that bonds join are one block; in it the bonds are eliminated,
-//! G̃ = G − X W⁻¹ Xᵀ with X = G Eᵀ, W = E G Eᵀ + compliance, E the held directions; what is left answers to forces as the bonded strands
-//! do, so that the iteration over contacts never sees a bond and bonds hold to rounding whatever it does.
+//! Direct elimination of bilateral constraints. Strands joined by them are one block, in which they are eliminated: G̃ = G − X
+//! W⁻¹ Xᵀ with X = G Eᵀ, W = E G Eᵀ + compliance, E the constrained directions. G̃ is the response of the constrained block, so
+//! that the iteration over contacts sees no bilateral constraint, and these hold to rounding whatever it does.
 //!
-//! W is factorised by Cholesky's method with pivots by size (rows scaled to a diagonal of one): held directions that depend on others, or
-//! that no force can move, are found, left without force, and reported with what they miss.
+//! W is factorised by Cholesky's method with pivoting (rows scaled to a diagonal of one). Directions that depend on others, or
+//! that no force can move, are found, left without force, and reported with their residuals.
 
 use nalgebra::Vector3;
 
@@ -11,59 +11,60 @@ use super::contact_space::{ContactSpace, SpaceConstraint};
 use super::law::Law;
 use super::rank::{RankFactor, dependence};
 
-/// A held direction that is not independent of others.
+/// A constrained direction that is not independent of others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DependentConstraint {
-    /// The bond's touch.
+    /// Index of its bilateral constraint in the problem.
     pub constraint: usize,
-    /// The held direction, world axes.
+    /// The direction, world axes.
     pub direction: Vector3<f64>,
-    /// The bonds (touches, ascending) that already decide it; empty: no force at the bond moves its points that way.
+    /// The bilateral constraints (indices, ascending) on which it depends; empty if no force of the constraint moves its points
+    /// that way.
     pub decided_by: Vec<usize>,
-    /// How far it is from holding, m (rad): rounding where the others happen to agree with it, else they contradict each other.
+    /// Its violation, m (rad): rounding if the others happen to agree with it; otherwise they contradict each other.
     pub residual: f64,
 }
 
-/// A held direction.
+/// A constrained direction.
 #[derive(Debug, Clone, Copy)]
 struct ConstrainedDirection {
     constraint: usize,
     direction: Vector3<f64>,
     compliance: f64,
-    /// Coordinates of the ends in the group.
+    /// Coordinates of the ends in the block.
     first: usize,
     second: Option<usize>,
-    /// Displacement along the direction without any touch's force.
+    /// Displacement along the direction without any constraint force.
     unconstrained: f64,
 }
 
-/// Strands that bonds join, as one block.
+/// Strands joined by bilateral constraints, as one block.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BilateralBlock {
     pub(super) base: usize,
     pub(super) size: usize,
-    /// Place of its matrix among the reduced ones.
+    /// Start of its matrix among the reduced ones.
     pub(super) matrix: usize,
-    /// Its held directions.
+    /// Its constrained directions.
     first_direction: usize,
     direction_count: usize,
-    /// Places of X (size × held) and W (held × held).
+    /// Start of X (size × directions) and W (directions × directions).
     x: usize,
     w: usize,
 }
 
-/// What belongs to no group.
+/// No block.
 const NONE: u32 = u32::MAX;
 
-/// The bonds of a problem, eliminated.
+/// The eliminated bilateral constraints of a problem.
 #[derive(Debug, Clone, Default)]
 pub struct BilateralElimination {
     groups: Vec<BilateralBlock>,
-    /// A strand's group; empty where the problem has no bonds.
+    /// A strand's block; empty in a problem without bilateral constraints.
     group_of: Vec<u32>,
-    /// Where a strand's coordinates begin: those of a group stand together.
+    /// Where a strand's coordinates begin: those of a block are contiguous.
     bases: Vec<usize>,
-    /// (group, strand) and (group, bond's touch), sorted.
+    /// (block, strand) and (block, bilateral constraint), sorted.
     members: Vec<(u32, u32)>,
     constraints: Vec<(u32, u32)>,
     reduced: Vec<f64>,
@@ -71,7 +72,7 @@ pub struct BilateralElimination {
     x: Vec<f64>,
     w: Vec<f64>,
     factors: Vec<RankFactor>,
-    /// Displacements of all coordinates by the bonds that answer the free displacement.
+    /// Displacements of all coordinates by the bilateral forces that balance the unconstrained displacements.
     carried: Vec<f64>,
 }
 
@@ -81,7 +82,7 @@ impl BilateralElimination {
         !self.groups.is_empty()
     }
 
-    /// Eliminates the bonds of a problem.
+    /// Eliminates the bilateral constraints of a problem.
     pub(super) fn eliminate(&mut self, space: &ContactSpace) {
         self.groups.clear();
         self.group_of.clear();
@@ -122,7 +123,7 @@ impl BilateralElimination {
         }
         self.group_of.resize(strands, NONE);
         self.bases.resize(strands, 0);
-        // Leaders are the first of their groups: groups come in the order of their first strands.
+        // Leaders are the first of their blocks: blocks come in the order of their first strands.
         let mut count = 0;
         for strand in 0..strands {
             if constrained[strand] {
@@ -169,7 +170,7 @@ impl BilateralElimination {
         }
     }
 
-    /// G of a group, and its bonds' E, X and W.
+    /// G of a block, and E, X and W of its bilateral constraints.
     fn assemble(&mut self, space: &ContactSpace, index: usize) {
         let mut group = self.groups[index];
         let size = group.size;
@@ -234,7 +235,7 @@ impl BilateralElimination {
                 (self.w[a], self.w[b]) = (mean, mean);
             }
         }
-        // What the largest of a bond's points' own mobilities lets one expect: below a rounding of that nothing moves.
+        // The size expected from the constraint's points: what is below a rounding of that does not move.
         let expected: Vec<f64> = directions
             .iter()
             .map(|row| {
@@ -246,7 +247,7 @@ impl BilateralElimination {
         self.groups[index] = group;
     }
 
-    /// G̃, and where the points go without contacts.
+    /// G̃, and the displacements without contacts.
     fn reduce(&mut self, index: usize) {
         let group = self.groups[index];
         let (size, factor) = (group.size, &self.factors[index]);
@@ -281,7 +282,7 @@ impl BilateralElimination {
         }
     }
 
-    /// The forces that answer displacements along the held directions: −W⁻¹ `unconstrained`, once refined.
+    /// The forces that balance displacements along the constrained directions: −W⁻¹ `unconstrained`, once refined.
     fn answer(&self, index: usize, unconstrained: &[f64]) -> Vec<f64> {
         let (group, factor) = (self.groups[index], &self.factors[index]);
         let mut forces: Vec<f64> = factor.solve(unconstrained).iter().map(|f| -f).collect();
@@ -301,8 +302,8 @@ impl BilateralElimination {
             .collect()
     }
 
-    /// Adds the bonds' forces to `forces` (a touch each; what stands there for bonds is replaced), when all others have theirs; and gives
-    /// the held directions that depend on others.
+    /// Adds the bilateral forces to `forces` (one entry per constraint; their own entries are replaced), when all others are
+    /// known, and returns the dependent directions.
     pub(super) fn finish(&self, space: &ContactSpace, forces: &mut [Vector3<f64>]) -> Vec<DependentConstraint> {
         let mut dependent = Vec::new();
         if self.groups.is_empty() {
@@ -352,44 +353,44 @@ impl BilateralElimination {
         dependent
     }
 
-    /// A strand's group, if bonds hold it.
+    /// A strand's block, if bilateral constraints act on it.
     pub(super) fn group_of(&self, strand: usize) -> Option<&BilateralBlock> {
         let group = *self.group_of.get(strand)?;
         self.groups.get(group as usize)
     }
 
-    /// Where a strand's coordinates begin, `own` in a problem without bonds.
+    /// Where a strand's coordinates begin, `own` in a problem without bilateral constraints.
     pub(super) fn base(&self, strand: usize, own: usize) -> usize {
         self.bases.get(strand).copied().unwrap_or(own)
     }
 
-    /// The groups' matrices after the elimination.
+    /// The blocks' matrices after the elimination.
     pub(super) fn reduced(&self) -> &[f64] {
         &self.reduced
     }
 
-    /// Displacement of the point at a coordinate (in the bonds' order) by the bonds alone.
+    /// Displacement of the point at a coordinate (in the order of the blocks) by the bilateral constraints alone.
     pub(super) fn carried(&self, at: usize) -> Vector3<f64> {
         if self.carried.is_empty() { Vector3::zeros() } else { super::contact_space::read(&self.carried, at) }
     }
 }
 
 impl ConstrainedDirection {
-    /// Displacement along the direction where the group's coordinates are displaced so.
+    /// Displacement along the direction under these displacements of the block's coordinates.
     fn project(&self, displacements: &[f64]) -> f64 {
         let at = |at: usize| (0..3).map(|axis| displacements[at + axis] * self.direction[axis]).sum::<f64>();
         at(self.first) - self.second.map_or(0.0, at)
     }
 }
 
-/// A group's part of a sorted list.
+/// A block's entries of a sorted list.
 fn of_group(list: &[(u32, u32)], group: u32) -> &[(u32, u32)] {
     let first = list.partition_point(|(of, _)| *of < group);
     let end = list.partition_point(|(of, _)| *of <= group);
     &list[first..end]
 }
 
-/// The leader of a strand's set, paths halved on the way.
+/// The leader of a strand's set; halves paths as it goes.
 fn find(leader: &mut [u32], mut strand: u32) -> u32 {
     while leader[strand as usize] != strand {
         leader[strand as usize] = leader[leader[strand as usize] as usize];

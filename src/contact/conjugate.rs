@@ -1,6 +1,6 @@
-//! Sweeps of Gauss–Seidel over a problem's parts side by side, accelerated: nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen,
-//! Niebe and Erleben 2010). What a sweep changes is taken for minus a gradient; part of the last direction is gone again after every sweep. It
-//! costs no product with W: what the directions displace is kept with them.
+//! Gauss–Seidel sweeps over a problem's subdomains side by side, accelerated: nonsmooth nonlinear conjugate gradients
+//! (Silcowitz-Hansen, Niebe and Erleben 2010). The change by a sweep serves as the negative gradient; after every sweep a
+//! fraction of the last direction is added. It costs no product with W: the displacements along directions are kept with them.
 
 use std::ops::{Add, Mul, Sub};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
@@ -19,7 +19,7 @@ use crate::workers::{Team, WorkerSet};
 #[derive(Debug, Clone, Default)]
 pub(super) struct Conjugate {
     forces: Past<Vector3<f64>>,
-    /// What the directions displace.
+    /// Displacements along the directions.
     displacements: Past<f64>,
     /// |gradient|² of the last sweep; zero: none yet.
     square: f64,
@@ -34,48 +34,48 @@ struct Past<T> {
     direction: Vec<T>,
 }
 
-/// A part's share of a list, and of what is kept of it.
+/// A subdomain's section of a list, and of what is kept of it.
 struct Share<'a, T> {
     now: &'a mut [T],
     before: &'a mut [T],
     direction: &'a mut [T],
 }
 
-/// The coordinates of a part of the lowest level.
+/// The coordinates of a lowest subdomain.
 struct Coordinates<'a> {
     /// The first one among all.
     from: usize,
     displacements: Share<'a, f64>,
 }
 
-/// The touches of a part.
+/// The contacts of a subdomain.
 struct Touches<'a> {
     rows: &'a mut [Row],
     forces: Share<'a, Vector3<f64>>,
-    /// What it adds to |gradient|².
+    /// Its contribution to |gradient|².
     square: f64,
 }
 
-/// What the parts of a level are to do.
+/// The work of a level's subdomains.
 #[derive(Clone, Copy)]
 struct Turn {
     level: usize,
-    /// The level's first part.
+    /// The level's first subdomain.
     first: usize,
-    /// What comes after the last sweep, first.
+    /// What follows after the last sweep, first.
     after: AfterSweep,
     /// Whether the sweep is one of the accelerated ones.
     kept: bool,
 }
 
-/// What comes after a sweep.
+/// What follows after a sweep.
 #[derive(Clone, Copy)]
 enum AfterSweep {
-    /// Nothing: it stays as it is.
+    /// Nothing.
     Nothing,
-    /// This share of the last direction is gone again.
+    /// This fraction of the last direction is added.
     Along(f64),
-    /// It was no descent: the next begins anew from where it led.
+    /// It was no descent: the next direction starts afresh.
     Restart,
 }
 
@@ -87,8 +87,8 @@ impl Conjugate {
         self.square = 0.0;
     }
 
-    /// So many accelerated sweeps, and one that is not: what the directions left outside the laws comes back. By a crew: the same bits. Where
-    /// `meter` halts them there are fewer.
+    /// A number of accelerated sweeps, and one that is not, which brings back what the directions moved outside the laws. By
+    /// workers: the same bits. If `meter` halts them there are fewer.
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, and who works for how long")]
     pub(super) fn sweeps<S: Default + Send>(
         &mut self,
@@ -158,7 +158,7 @@ impl<T: Copy + Default> Past<T> {
         self.direction.resize(count, T::default());
     }
 
-    /// The list and what is kept of it, part by part.
+    /// The list and what is kept of it, subdomain by subdomain.
     fn fractions<'a, I: Iterator<Item = usize> + 'a>(
         &'a mut self,
         now: &'a mut [T],
@@ -228,11 +228,11 @@ impl<D: Displacements> Kernel for Sweep<'_, D> {
     }
 }
 
-/// Those of several parts of the lowest level, in order.
+/// The coordinates of several lowest subdomains, in order.
 struct Several<'a, 'b>(Vec<MutexGuard<'a, Coordinates<'b>>>);
 
 impl Several<'_, '_> {
-    /// Which of the parts has a coordinate.
+    /// The subdomain that has a coordinate.
     #[inline(always)]
     fn subdomain_of(&self, at: usize) -> usize {
         (1..self.0.len()).rev().find(|k| self.0[*k].from <= at).unwrap_or(0)
@@ -254,7 +254,7 @@ impl Displacements for Several<'_, '_> {
     }
 }
 
-/// A list in pieces that end there.
+/// A list in pieces with these ends.
 fn split<'a, T>(mut list: &'a mut [T], ends: impl Iterator<Item = usize> + 'a) -> impl Iterator<Item = &'a mut [T]> {
     let mut from = 0;
     ends.map(move |end| {

@@ -1,5 +1,5 @@
-//! A strand in the course of a step in which touches or constraints hold it: its stations, and what the joints of its island make of
-//! them.
+//! A strand during a step in which contacts or bilateral constraints act on it: its attached material points, and its state of
+//! motion in the island's iteration.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -18,120 +18,122 @@ use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::step::constrained_step::{ConstrainedStep, WorldConstraint};
 
-/// A strand that was woken so often rests no more: two neighbours would go on waking each other in turn.
+/// A strand that was woken this often does not rest again: two neighbours could wake each other in turn for ever.
 const MAX_WAKES: u32 = 2;
 
-/// Touches that are nearer to each other along a strand than this, m, and have normals within this cosine, are one.
+/// Contacts closer than this along a strand, m, with normals within this cosine, are one.
 const ONE_PLACE: f64 = 1e-6;
 const ONE_SIDE: f64 = 0.99;
 
-/// A strand has strayed if its Lagrangian has risen by more than this part of the energy of going its own length in the step.
+/// A strand's end is rejected if its Lagrangian has risen by more than this fraction of the energy of moving by its own length
+/// in the step.
 const RISEN: f64 = 1e-6;
 
-/// What half an iteration takes for an element, for a point that is touched and an element, and for two points: nanoseconds or so.
+/// Cost of half an iteration: per element, per attached point and element, and per pair of attached points, in nanoseconds or
+/// so.
 const WORK_AN_ELEMENT: u64 = 700;
 const WORK_A_COLUMN: u64 = 60;
 const WORK_A_COUPLING: u64 = 10;
 
-/// One end of a joint on a strand.
+/// One end of a constraint on a strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attachment {
-    /// Index of the joint in the strand's island.
+    /// Index of the constraint in the strand's island.
     pub constraint: u32,
-    /// Whether it is the joint's second end, on which −force acts.
+    /// Whether it is the constraint's second end, on which −force acts.
     pub second: bool,
-    /// Where.
+    /// The attached material point.
     pub material_point: MaterialPoint,
-    /// Whether the strand's linear model has it; those that it has not come last.
+    /// Whether the strand's linear model includes it; the others come last in the list.
     pub modelled: bool,
 }
 
-/// What a strand's pack is to do in the first half of an iteration.
+/// What a strand's pack has to do in the first half of an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FirstHalf {
-    /// Nothing: the strand rests, or its island is done.
+    /// Nothing: the strand rests, or its island has ended.
     None,
-    /// It was done ahead. If another strand of the pack has it to do, it is done again: a pack is eliminated as a whole.
+    /// It was done ahead of time. It is repeated if another strand of the pack has it to do: a pack is eliminated as a whole.
     Done,
-    /// It is to be done.
+    /// It has to be done.
     ToDo,
 }
 
-/// A held strand.
+/// A constrained strand.
 #[derive(Debug, Default)]
 pub struct ConstrainedStrand {
     /// Its index in the solver.
     pub index: u32,
     /// Its step.
     pub step: ConstrainedStep,
-    /// The pack that it goes in, and its lane there.
+    /// Index of its pack.
     pub pack: u32,
-    /// See `pack`.
+    /// Its lane in the pack.
     pub lane: u32,
-    /// What it is to contact.
+    /// Its contact properties.
     pub contact: StrandContact,
     /// Its mass, kg.
     pub mass: f64,
     /// The force that bends its shortest element by about a radian, N.
     pub bending: f64,
-    /// Its island.
+    /// Index of its island.
     pub island: u32,
-    /// From root to tip, those first that its linear model has; their places in this list are the points of the island's contact space.
+    /// From root to tip, first those in its linear model; their indices are the points of the island's contact space.
     pub attachments: Vec<Attachment>,
-    /// How many its linear model has.
+    /// How many of them its linear model includes.
     modelled: usize,
-    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that: then it stays where it is
-    /// until it does.
+    /// Whether its step is one of implicit Euler, whatever the setting.
     pub first_order: bool,
-    /// See `first_order`.
+    /// Whether its step begins again for that reason: until then the strand stays where it is.
     pub begins_again: bool,
-    /// Whether the first half of the first iteration is done already.
+    /// Whether the first half of the first iteration is already done.
     pub looked_ahead: bool,
-    /// How its island's iteration has ended, if nothing new holds it since.
+    /// How its island's iteration has ended, if nothing new acts on the strand since.
     pub ended: Option<Ending>,
-    /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
+    /// It is at equilibrium under the constraints' forces: it stays where it is, while others go on, until these have changed.
     pub resting: bool,
-    /// Whether some of it was found, after the step's first search, in something that it was in when the step began.
+    /// A later search found part of it still in something that it overlapped when the step began.
     pub left_deep: bool,
-    /// Whether the last search that there was to be found some of it in something, and no joint tells of that.
+    /// The last search found an overlap that no constraint represents.
     pub has_undetected: bool,
-    /// Whether it was found in a body that it was not in when the step began, or beyond it, at the step's end.
+    /// It was found in or beyond a body at the end of the step that it was outside of when the step began.
     pub behind: bool,
-    /// Whether it goes along with its root after all, because of that.
+    /// It moves with its root instead of keeping its end.
     pub carried: bool,
-    /// Whether an iteration has been done for it: it need not stay as the step found it.
+    /// An iteration was done for it: it need not stay as it was when the step began.
     pub advanced: bool,
-    /// How often it was woken since its island was tied.
+    /// How often it was woken since its island was formed.
     pub woken: u32,
-    /// How far an element may be from where the iteration ends, rad.
+    /// Estimated distance of an element from where the iteration would converge, rad.
     pub residual: f64,
     /// Whether it takes part in contact at all.
-    pub contacts: bool,
-    /// From where to where bodies go for it in the step, one a body; none: as they go.
+    pub collides: bool,
+    /// The bodies' initial and final poses in the step as this strand meets them, one pair per body; empty: as they move in the
+    /// scene.
     pub body_motions: Vec<[Frame; 2]>,
-    /// Where they come to so, if one of them is still to come after it when the step ends; else none.
+    /// Their final poses, if one of them still follows after the step; else empty.
     pub final_poses: Vec<Frame>,
-    /// Whether it meets bodies only: where bodies are still to come after it other strands would hold it back.
+    /// It meets bodies only: while bodies still follow, other strands would hold it back.
     pub alone: bool,
-    /// How many joints hold it, as far as they were counted last.
+    /// The number of its constraints at the last count.
     pub constraint_count: usize,
-    /// Touches with bodies that were found last.
+    /// Contacts with bodies found by the last search.
     pub found: Vec<ContactPoint>,
-    /// The gap between its root and the nearest body, m; infinite where none is near, or the root touches nothing. The host puts the root
-    /// where it is, and no force moves it: it is told, and is no touch.
+    /// The gap between its root and the nearest body, m; infinite if none is near or the root takes no part in contact. The
+    /// host places the root and no force moves it: overlap there is reported and is no contact.
     pub root_gap: f64,
-    /// Where the attached points are, in the attachments' order, each with the station that it was found for.
+    /// The state of each attached point, in the attachments' order, with the material point for which it was found.
     places: Vec<(MaterialPoint, EndState)>,
     material_points: Vec<MaterialPoint>,
     forces: Vec<Vec3<f64>>,
     bilateral: Vec<Option<WorldConstraint>>,
     bounds: PathBounds,
-    /// Only ever taken by who may change the strand; the lock is there for those who look at it meanwhile.
+    /// Taken only by the owner of the strand; the lock makes shared references safe.
     scratch: Mutex<strand_body::BodySearchScratch>,
 }
 
 impl ConstrainedStrand {
-    /// Its curve as the step found it and at the present iterate.
+    /// Its curve at the start of the step and at the present iterate.
     pub fn path(&self) -> StrandPath<'_> {
         path_of(self.index, &self.step)
     }
@@ -141,12 +143,12 @@ impl ConstrainedStrand {
         self.places.clear();
     }
 
-    /// Whether a body is still to come after it when the step ends.
+    /// Whether a body still follows after the step.
     pub fn lags(&self) -> bool {
         !self.final_poses.is_empty()
     }
 
-    /// Has bodies go to where they are after all, and meets the others: how deep it is in them is to be seen.
+    /// Moves the bodies to their poses in the scene, and includes other strands: for the search for overlap that is left.
     pub fn look_around(&mut self, bodies: &[BodyAt]) {
         self.alone = false;
         for (motion, body) in self.body_motions.iter_mut().zip(bodies) {
@@ -154,15 +156,15 @@ impl ConstrainedStrand {
         }
     }
 
-    /// A body as it goes for this strand.
+    /// A body as it moves for this strand.
     pub fn met<'a>(&self, bodies: &[BodyAt<'a>], index: u32) -> BodyAt<'a> {
         let body = bodies[index as usize];
         self.body_motions.get(index as usize).map_or(body, |motion| body.with_motion(*motion))
     }
 
-    /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
+    /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate.
     pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64) {
-        if !self.contacts {
+        if !self.collides {
             return;
         }
         let path = path_of(self.index, &self.step);
@@ -184,7 +186,7 @@ impl ConstrainedStrand {
             *root_gap = if at_root { root_gap.min(contact.gap) } else { *root_gap };
             !at_root
         });
-        // Where two elements meet both may tell of one place.
+        // Where two elements meet both may report one contact.
         let along = |contact: &ContactPoint| path.now.along(contact.point.element as usize, contact.point.s);
         self.found.dedup_by(|next, last| {
             next.partner == last.partner
@@ -193,12 +195,12 @@ impl ConstrainedStrand {
         });
     }
 
-    /// Whether some point of it has gone further than `least` (m) since it was last searched for touches.
+    /// Whether some point of it has moved further than `least` (m) since it was last searched for contacts.
     pub fn has_gone(&self, least: f64) -> bool {
         self.step.gone > least
     }
 
-    /// Arclength of a station from the root, m.
+    /// Arclength of a material point from the root, m.
     pub fn along(&self, material_point: &MaterialPoint) -> f64 {
         self.path().start.along(material_point.element, material_point.s)
     }
@@ -208,23 +210,24 @@ impl ConstrainedStrand {
         self.step.start().1.iter().map(|element| element.length).sum()
     }
 
-    /// What takes it its own length in a step, N.
+    /// The force that moves it by its own length in a step, N.
     pub fn usual_force(&self, step: f64) -> f64 {
         self.mass * self.length() / (step * step)
     }
 
-    /// Whether it ends higher than its step began, which the forces at its end do not account for: touches that were found on the way threw it there.
+    /// Whether the Lagrangian has risen since the step began, which the final forces do not explain: contacts met on the way
+    /// have thrown the strand there.
     pub fn has_risen(&self, step: f64) -> bool {
         let speed = self.length() / step;
         self.step.rise() > RISEN * self.mass * speed * speed
     }
 
-    /// Where a station is.
+    /// The state of a material point.
     pub fn end_state(&self, material_point: &MaterialPoint) -> EndState {
         self.end_now(material_point, ConstrainedStep::place(self.step.start(), material_point))
     }
 
-    /// The same of one whose place at the step's start is known.
+    /// The same, with the initial position given.
     fn end_now(&self, material_point: &MaterialPoint, start: Vector3<f64>) -> EndState {
         EndState {
             start,
@@ -233,17 +236,18 @@ impl ConstrainedStrand {
         }
     }
 
-    /// Where an attached point is.
+    /// The state of an attached point.
     pub fn place(&self, point: u32) -> EndState {
         self.places[point as usize].1
     }
 
-    /// It is elsewhere: so are its attached points.
+    /// It has moved: updates its attached points.
     pub(super) fn moved(&mut self) {
         self.find_places(true);
     }
 
-    /// How far an attached point is moved by a force at it, m/N, in the linear model of the last iteration; zero of one that is not in it.
+    /// Displacement of an attached point per force at it, m/N, in the linear model of the last iteration; zero for a point
+    /// outside the model.
     pub(super) fn response(&self, point: u32) -> Matrix3<f64> {
         let (point, points) = (point as usize, self.step.delassus.material_points);
         if point >= points {
@@ -252,7 +256,7 @@ impl ConstrainedStrand {
         read_block(&self.step.delassus.columns, 3 * points, 3 * point, 3 * point)
     }
 
-    /// Finds where the attached points are that have another station than before; once the strand has `moved`, all of them.
+    /// Updates the states of the attached points: those with a new material point, or all if the strand has `moved`.
     fn find_places(&mut self, moved: bool) {
         self.places.truncate(self.attachments.len());
         for index in 0..self.attachments.len() {
@@ -270,8 +274,8 @@ impl ConstrainedStrand {
         }
     }
 
-    /// Takes the stations that the joints have now, and brings the attachments into order: those of the linear model, which is a new one
-    /// unless the strand rests, and the others, both from root to tip, those of a place by joint.
+    /// Takes over the constraints' present material points and sorts the attachments: first those of the linear model, which is
+    /// a new one unless the strand rests, then the others; both from root to tip, those of one point by constraint.
     fn sort(&mut self, island: &Island) {
         for attachment in &mut self.attachments {
             let constraint = &island.constraints[attachment.constraint as usize];
@@ -289,10 +293,10 @@ impl ConstrainedStrand {
         self.modelled = self.attachments.partition_point(|attachment| attachment.modelled);
     }
 
-    /// Before an iteration: whether this strand need not take part in it.
+    /// Before an iteration: decides whether this strand rests.
     fn choose_rest(&mut self, island: &Island) {
         let constraint = |end: &Attachment| &island.constraints[end.constraint as usize];
-        // A touch that has a part again must be in its model.
+        // A contact that is no longer dormant must be in its model.
         let lacks = |end: &Attachment| !end.modelled && !constraint(end).dormant;
         self.resting = if !island.may_rest {
             false
@@ -311,8 +315,8 @@ impl ConstrainedStrand {
         };
     }
 
-    /// How far an attached point of a resting strand goes from where it is when the joints that `is_included` is true of have the forces
-    /// `of_constraint` (on the joints' first ends), by the linear model of its last iteration.
+    /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have
+    /// the forces `of_constraint` (on their first ends), by the linear model of its last iteration.
     pub fn given_way(&self, point: u32, is_included: &[bool], of_constraint: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
         // Symmetric: three columns are three rows.
         let size = 3 * self.modelled;
@@ -339,7 +343,7 @@ impl ConstrainedStrand {
         }));
     }
 
-    /// What half an iteration takes, nanoseconds or so.
+    /// Cost of half an iteration, nanoseconds or so.
     pub fn half_work(&self) -> u64 {
         if self.resting { 0 } else { self.half_work_with(self.modelled) }
     }
@@ -349,13 +353,13 @@ impl ConstrainedStrand {
         self.step.now().1.len()
     }
 
-    /// The same with so many points that are touched.
+    /// The same with this many attached points.
     pub fn half_work_with(&self, points: usize) -> u64 {
         let (elements, points) = (self.elements() as u64, points as u64);
         elements * (WORK_AN_ELEMENT + WORK_A_COLUMN * points) + WORK_A_COUPLING * points * points
     }
 
-    /// Before the first half of a Newton iteration; the joints' forces are the last iteration's.
+    /// Before the first half of a Newton iteration; the constraints' forces are those of the last iteration.
     pub fn hold(&mut self, island: &Island) -> FirstHalf {
         if std::mem::take(&mut self.looked_ahead) {
             return FirstHalf::Done;
@@ -380,7 +384,8 @@ impl ConstrainedStrand {
         FirstHalf::ToDo
     }
 
-    /// Before the second half, with the joints' new forces. False where its pack need not do it: a strand that begins again does not go on.
+    /// Before the second half, with the constraints' new forces. False if its pack need not advance it: it rests, or begins
+    /// again.
     pub fn advances(&mut self, island: &Island) -> bool {
         if self.begins_again {
             self.residual = f64::INFINITY;
@@ -401,7 +406,7 @@ impl ConstrainedStrand {
         self.find_places(true);
     }
 
-    /// How far an attached point would go in this iteration without forces.
+    /// Displacement of an attached point in this iteration without forces.
     pub fn unconstrained(&self, point: u32) -> Vector3<f64> {
         self.step.unconstrained[point as usize].into()
     }

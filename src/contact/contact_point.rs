@@ -1,4 +1,5 @@
-//! The words of contact: a material point of a strand, a strand's curve at one time, and a touch, which is where something meets it.
+//! Contact points: a material point of a strand, a strand's curve at one time, and a contact point between a strand and its
+//! partner.
 
 use nalgebra::Vector3;
 
@@ -8,9 +9,9 @@ use crate::rod::kinematics::ElementState;
 /// A material point of a strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrandPoint {
-    /// Which strand (its index in the solver).
+    /// Index of the strand in the solver.
     pub strand: u32,
-    /// Which element of it.
+    /// Index of the element.
     pub element: u32,
     /// Arclength from the element's left end, m; 0 to its length.
     pub s: f64,
@@ -19,7 +20,7 @@ pub struct StrandPoint {
 /// A strand's curve at one time.
 #[derive(Debug, Clone, Copy)]
 pub struct StrandCurve<'a> {
-    /// The root's origin, world, m; the elements are told from there.
+    /// The root's origin, world, m; the elements are relative to it.
     pub origin: Vector3<f64>,
     /// Elements from root to tip.
     pub elements: &'a [ElementState<f64>],
@@ -31,12 +32,12 @@ impl StrandCurve<'_> {
         self.elements[..element].iter().map(|element| element.length).sum::<f64>() + s
     }
 
-    /// Where the material point at arclength `s` of an element is, world, m.
+    /// Position of the material point at arclength `s` of an element, world, m.
     pub fn position(&self, element: usize, s: f64) -> Vector3<f64> {
         self.origin + Vector3::from(self.elements[element].point(s).position)
     }
 
-    /// The tangent there (unit, from root to tip).
+    /// Tangent there, unit, from root to tip.
     pub fn tangent(&self, element: usize, s: f64) -> Vector3<f64> {
         let element = &self.elements[element];
         let theta = element.kappa.scale(s);
@@ -46,7 +47,7 @@ impl StrandCurve<'_> {
     }
 }
 
-/// A strand during a step: where it was, and where it would be at the step's end.
+/// A strand at the start of a step and at the present iterate for its end.
 #[derive(Debug, Clone, Copy)]
 pub struct StrandPath<'a> {
     /// Its index in the solver.
@@ -57,32 +58,32 @@ pub struct StrandPath<'a> {
     pub now: StrandCurve<'a>,
 }
 
-/// What a strand meets.
+/// The partner of a strand in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Partner {
-    /// A body, by its index in the solver, and which feature of its surface (a triangle of a mesh; 0 else).
+    /// A body and the feature of its surface.
     Body {
         /// Index of the body.
         body: u32,
-        /// Triangle, or 0.
+        /// Triangle of a mesh; 0 for other shapes.
         feature: u32,
     },
     /// A material point of a strand.
     Strand(StrandPoint),
 }
 
-/// A place where something meets a strand, or soon may.
+/// A contact point of a strand, or a point that may soon be in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactPoint {
     /// The strand's material point.
     pub point: StrandPoint,
-    /// What it meets.
+    /// Its partner.
     pub partner: Partner,
     /// Unit normal at the step's end, world, from the partner to the strand.
     pub normal: Vector3<f64>,
-    /// Distance of the surfaces at the present iterate along the normal: that of centreline and partner less both thicknesses, m.
-    /// Negative where they overlap.
+    /// Distance of the surfaces along the normal at the present iterate, m: the distance from centreline to partner minus both
+    /// thicknesses. Negative if they overlap.
     pub gap: f64,
-    /// How far the partner's material point goes during the step, world, m; for strands zero (they tell it themselves).
+    /// Displacement of the partner's material point during the step, world, m; zero for strands, which have their own paths.
     pub carried: Vector3<f64>,
 }

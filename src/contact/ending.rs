@@ -1,5 +1,5 @@
-//! How islands' iterations end; what is tried where one does not come to its end; and how those that have ended are left so while others,
-//! made anew by what a later search finds, go on.
+//! How islands' iterations end: further attempts for islands that have not converged, and ended islands that stay as they are
+//! while others go on with new contacts.
 
 use nalgebra::Vector3;
 
@@ -9,27 +9,29 @@ use super::options::ContactOptions;
 use super::step_constraint::{Give, Standing, StepConstraint};
 use crate::meter::Stopped;
 
-/// Where forces grew beyond measure, strands with forces beyond this many times what takes a strand its own length in a step are astray.
+/// Where forces have grown beyond measure, strands have diverged whose forces exceed this many times the force that moves a
+/// strand by its own length in a step.
 const LARGE: f64 = 1e2;
 
-/// How often joints are relaxed at most: of strands that are astray; and of their neighbours too. (Penalties relax all at once.)
+/// The largest number of relaxations: first of diverged strands, then of their neighbours too. (With penalties all are relaxed
+/// at once.)
 const RELAXINGS: u32 = 2;
 
-/// How an island is tried to come to an end.
+/// An attempt to make an island converge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Attempt {
-    /// All joints are to hold.
+    /// No constraint yields.
     #[default]
     Whole,
-    /// Some touches give way, from where the first attempt came to, see [`Give`].
+    /// Some contacts yield, see [`Give`]; the iteration goes on from the end of the first attempt.
     Yielding,
-    /// The same from the step's start.
+    /// Some contacts yield, from the start of the step.
     YieldingFromStart,
-    /// All joints of the strands that are astray give way by more, from the step's start; then those of their neighbours too.
+    /// All constraints of diverged strands yield more, from the start of the step; then those of their neighbours too.
     Relaxed,
 }
 
-/// What follows where an island has ended.
+/// What follows after an island has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Next {
     /// Nothing: it stays as it ended.
@@ -40,32 +42,32 @@ pub enum Next {
     BeginsAgain,
 }
 
-/// How an island's iteration ended: all that is told of it.
+/// How an island's iteration ended, as reported.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ending {
-    /// Where it should.
+    /// It converged with no constraint yielding.
     pub converged: bool,
-    /// How it was tried to come to an end.
+    /// The attempt.
     pub attempt: Attempt,
-    /// Whether that came to its end, whatever gave way for it.
+    /// The attempt converged, whatever yielded.
     pub attempt_converged: bool,
-    /// It has not come to its end, but is near enough to stay as it is.
+    /// It has not converged, but is close enough to stay as it is.
     pub good_enough: bool,
-    /// Not even so: strands of it stay as the step found them, see [`Island::has_diverged`].
+    /// It has diverged: some of its strands stay as they were when the step began, see [`Island::has_diverged`].
     pub diverged: bool,
-    /// Why it was ended before its end, if so.
+    /// Why the iteration was stopped early, if it was.
     pub stopped: Stopped,
     /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
     pub residual: f64,
 }
 
 impl Island {
-    /// How it ended, if it has, and no other attempt is to follow.
+    /// How it ended, if it has ended and no further attempt follows.
     pub fn ended(&self) -> Option<Ending> {
         (self.done && !self.is_to_be_tried_again()).then_some(self.ending)
     }
 
-    /// Ends it where it is, unless it is at its end.
+    /// Ends it where it is, unless it has converged.
     pub fn stop(&mut self, why: Stopped) {
         if self.done && !self.rough && !self.is_to_be_tried_again() {
             return;
@@ -74,13 +76,14 @@ impl Island {
         (self.ending.converged, self.ending.stopped) = (false, why);
     }
 
-    /// The search for what its strands touch was halted: they may be anywhere, whatever their end.
+    /// The search for its strands' contacts was halted: undetected contacts are possible, however the iteration ended.
     pub fn interrupt(&mut self, why: Stopped) {
         self.stop(why);
         (self.ending.converged, self.ending.stopped) = (false, why);
     }
 
-    /// Refuses the end of touches' strands that have strayed, and with it the island's: they are lost where the substep is not taken in parts.
+    /// Rejects the end of strands in contact whose energy has risen, and with it that of the island: it counts as diverged
+    /// unless it takes the substep in substeps.
     pub fn reject_risen(&mut self, strands: &mut [ConstrainedStrand], step: f64) {
         if self.ending.stopped != Stopped::No || !self.has_contacts() || self.has_bilateral() {
             return;
@@ -95,44 +98,45 @@ impl Island {
         }
     }
 
-    /// Goes on from where it is: a strand of it has been moved.
+    /// Goes on from where it is: one of its strands has been moved.
     pub fn go_on(&mut self) {
         (self.done, self.ending.attempt_converged, self.ending.converged, self.rest) = (false, false, false, -1.0);
         self.begin_to_count(self.iterations);
     }
 
-    /// Leaves it as it ended: made anew, it is the same, and would end there again.
+    /// Leaves it as it ended: nothing in it has changed, and it would end the same way.
     pub fn keep(&mut self, ending: Ending) {
         (self.done, self.ending) = (true, ending);
     }
 
-    /// Whether joints of it give way that could not be held, constraints too.
+    /// Whether its constraints yield, bilateral ones too.
     pub fn is_relaxed(&self) -> bool {
         self.ending.attempt == Attempt::Relaxed
     }
 
-    /// Whether its iteration ended elsewhere than it should.
+    /// Whether it ended without converging.
     pub fn failed(&self) -> bool {
         self.done && !self.ending.converged
     }
 
-    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way, and would be dear to solve again.
+    /// Whether no more work is spent on it: it has not converged, or only by yielding, and another solve would be expensive.
     pub fn is_given_up(&self) -> bool {
         let dear = self.has_bilateral() || self.strands.len() > FEW;
         self.failed() && (self.is_relaxed() && dear || !self.ending.good_enough)
     }
 
-    /// Whether there is to be another attempt, see [`Island::try_again`].
+    /// Whether another attempt follows, see [`Island::try_again`].
     pub fn is_to_be_tried_again(&self) -> bool {
         let goes_on = self.ending.stopped == Stopped::No && !self.ending.good_enough;
         let is_last = self.is_relaxed() && self.relaxings >= RELAXINGS;
         self.failed() && goes_on && !is_last && !self.constraints.is_empty()
     }
 
-    /// Another attempt, if its joints were not to be held. First, if they are touches without springs of their own, those of strands alone give
-    /// way that did not come to their end; mostly these are one to five of hundreds. It goes on from where it is, or, where forces grew beyond measure,
-    /// begins again. Then all joints of such strands give way by more, from the start, and of their neighbours where that does not do: what contradicts
-    /// itself, or is out of a strand's reach, is drawn as near as it goes. The others hold and rub as ever.
+    /// Begins another attempt if the last one failed. First, in the hard models, only the contacts of unconverged strands
+    /// yield, mostly one to five of hundreds. The iteration goes on from where it is, or begins again if forces have grown
+    /// beyond measure. Then all constraints of such strands yield more, from the start of the step, and those of their
+    /// neighbours if that is not enough: contradictory constraints, or targets out of a strand's reach, are satisfied as well
+    /// as possible. The other constraints stay exact, with friction.
     pub fn try_again(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) -> Next {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
@@ -140,7 +144,7 @@ impl Island {
         let may_yield = matches!(self.ending.attempt, Attempt::Whole | Attempt::Yielding);
         let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, step);
         if forgives && self.ending.attempt == Attempt::Whole && !self.beyond {
-            // Bodies' surfaces stay as they are.
+            // The normals of bodies stay as they are.
             (self.iterations, self.done, self.ending.attempt) = (LOOKS, false, Attempt::Yielding);
             self.begin_to_count(LOOKS);
             return Next::GoesOn;
@@ -158,7 +162,7 @@ impl Island {
         Next::BeginsAgain
     }
 
-    /// Lets the touches of strands yield that are astray. False if none yields that did not.
+    /// Lets the contacts of diverged strands yield. False if none is new.
     fn let_some_yield(&mut self, strands: &[ConstrainedStrand], step: f64) -> bool {
         let diverged = self.diverged_strands(strands, step);
         let mut some = false;
@@ -171,7 +175,7 @@ impl Island {
         some
     }
 
-    /// Relaxes all joints of the strands that are astray; from the second time on, of their neighbours too.
+    /// Relaxes all constraints of diverged strands; from the second time on, those of their neighbours too.
     fn relax(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
         let mut diverged = self.diverged_strands(strands, step);
         if self.relaxings > 0 {
@@ -190,8 +194,8 @@ impl Island {
         }
     }
 
-    /// The strands that are astray, ascending: where forces grew beyond measure, those with such forces; else those too far from
-    /// their end, or with joints that are.
+    /// The diverged strands, ascending: those with forces beyond measure where there are any, else those too far from
+    /// convergence or with constraints that are.
     fn diverged_strands(&self, strands: &[ConstrainedStrand], step: f64) -> Vec<u32> {
         let far = |strand: &&u32| {
             let residual = strands[**strand as usize].residual;

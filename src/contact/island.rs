@@ -1,5 +1,5 @@
-//! Strands that joints tie together, directly or through others: their joints at the present iterate, and where their iteration ends. (The contact
-//! problem of one iteration: `island_problem.rs`.)
+//! Islands: strands coupled by constraints, directly or through others. Their constraints at the present iterate, and the test
+//! for convergence. (The contact problem of one iteration: `island_problem.rs`.)
 
 use nalgebra::Vector3;
 
@@ -17,117 +17,124 @@ use super::options::{ContactModel, ContactOptions};
 use super::step_constraint::{ConstraintKind, Give, SAME_SIDE, Standing, StepConstraint};
 use crate::chain::load::MaterialPoint;
 
-/// How nearly a bond must hold at the end of a step, m.
+/// Tolerance of a rigid bilateral constraint at the end of a step, m.
 const BILATERAL_TOLERANCE: f64 = 1e-10;
-/// Where an island is solved roughly: the residual, as a part of its problem's size, and how far from its end an element may be, rad.
+/// Tolerances of a rough solve: the residual, as a fraction of the size of the problem, and the distance of an element from
+/// convergence, rad.
 const ROUGH: f64 = 1e-3;
 const ROUGH_TOLERANCE: f64 = 1e-3;
-/// What the penalty models are content with: the same two.
+/// The same two tolerances for the penalty models.
 const SOFT: f64 = 1e-3;
 const SOFT_TOLERANCE: f64 = 2e-3;
-/// A strand that ends further from the end than this, rad, has come to nowhere.
+/// A strand that ends further from convergence than this, rad, has diverged.
 const DIVERGED: f64 = 0.1;
 
-/// Iterations in which what is left to do, or the number of strands and joints that have it to do, must halve: where it is good enough as it is;
-/// in a large island whose touches may yet yield; and elsewhere. An island that does not get on will not.
+/// Iterations in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
+/// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
+/// is ended.
 const PATIENCE: [u32; 3] = [5, 15, 25];
-/// So few iterations are a choice with penalties: what springs push out no further in this step they do in the next.
+/// With penalties, limits up to this many iterations are a choice: what springs have not pushed out in this step they do in the
+/// next.
 const CHOSEN: u32 = 10;
-/// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
-/// of touches; a bond, m.
+/// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
+/// tolerance; of a bilateral constraint, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
 const ENOUGH_DEPTH: f64 = 2.0;
 const ENOUGH_BILATERAL: f64 = 1e-9;
-/// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
+/// A contact problem has no solution if a force exceeds this many times the force that moves a strand by its own length in a
+/// step.
 const NO_SOLUTION: f64 = 1e4;
-/// So are those of constraints beyond this many times that and what bends an element by a radian. What can be held takes a few times as much
-/// in the end, though more on the way; what cannot takes a thousandfold more in every iteration.
+/// The same for bilateral constraints, in units of that force plus the force that bends an element by a radian. Constraints
+/// that can be satisfied need a few times as much in the end, though more during the iteration; others need a thousand times
+/// more in every iteration.
 const CANNOT_HOLD: f64 = 1e12;
-/// So many iterations in a row that move no strand by more than this part of what may be left, or whose contact problem is left with more than
-/// this residual, end an island with constraints: they leave its touches no room (of the hard models; others give displacement).
+/// An island with bilateral constraints is ended after this many iterations in a row that move no strand by more than this
+/// fraction of the tolerance, or leave the contact problem with more than this residual: the constraints leave its contacts no
+/// room (hard models; others yield).
 const IDLE: u32 = 5;
 const STILL: f64 = 1e-2;
 const HOPELESS: f64 = 0.1;
 
-/// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
-/// move it by more than that (an element's length times the angle).
+/// A strand may rest if it is closer to convergence than this fraction of the tolerance, until changed forces would move it by
+/// more than that (an element's length times the angle).
 const REST: f64 = 0.3;
-/// In an island of no more strands none rests, and it is not solved roughly first.
+/// In an island of at most this many strands none rests, and there is no rough solve.
 pub const FEW: usize = 20;
 
-/// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
+/// Compliance of a relaxed constraint, in units of the displacement of the whole strand by its force in a step.
 const RELAXED: f64 = 0.03;
-/// The same of a single touch that yields.
+/// The same of a single contact that yields.
 const YIELDS: f64 = 0.003;
-/// How far from a body's surface a touch is looked at again, m.
+/// How far from a body's surface a contact is updated, m.
 const LOOK: f64 = 0.01;
-/// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
-/// turn for ever. What is missed so is found by the search at the step's end.
+/// In how many of an island's first iterations that is done: later, a contact in a crease or a mesh's notch could alternate
+/// between faces for ever. The search at the end of the step finds what goes undetected in this way.
 pub(super) const LOOKS: u32 = 6;
-/// By how much more than before a normal may point along the strand.
+/// The largest increase of a normal's component along the strand.
 const ALONG: f64 = 0.1;
 
-/// How deep surfaces are in each other, m.
+/// Depth of overlap left, m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Left {
-    /// At most.
+    /// The largest.
     pub deep: f64,
-    /// Where they were not when the step began.
+    /// The largest of overlaps that were not there when the step began.
     pub newly: f64,
 }
 
-/// Strands that hang together.
+/// Coupled strands.
 #[derive(Debug, Default)]
 pub struct Island {
-    /// Indices among the held strands, ascending.
+    /// Indices among the constrained strands, ascending.
     pub strands: Vec<u32>,
-    /// What holds them.
+    /// Their constraints.
     pub constraints: Vec<StepConstraint>,
     /// The last contact problem's report.
     pub report: Report,
-    /// What its next contact problem may take, nanoseconds or so.
+    /// The limit of its next contact problem's cost, nanoseconds or so.
     pub max_work: u64,
     /// Sweeps so far.
     pub sweeps: u32,
     /// Newton iterations so far.
     pub iterations: u32,
-    /// Whether it is solved no more exactly than it takes to see which touches there are: [`Island::refine`] goes on to the end.
+    /// It is solved roughly until its contacts are known: [`Island::refine`] goes on to the full tolerance.
     pub rough: bool,
-    /// Whether its strands' iterations have ended.
+    /// Its iteration has ended.
     pub done: bool,
-    /// How they have ended, or stand so far.
+    /// How the iteration ended, or its present state.
     pub ending: Ending,
-    /// How deep it is left, m, as far as that was searched for: at most, and where it was not when the step began.
+    /// Depth of overlap left, as far as it was searched for.
     pub left: Left,
-    /// Whether its strands take the substep in parts: this end of theirs is not to be.
+    /// Its strands take the substep in substeps: their present end is dropped.
     pub is_subdivided: bool,
-    /// Its forces grew beyond measure.
+    /// Its forces have grown beyond measure.
     pub beyond: bool,
-    /// How often strands of it were bent, see `kink.rs`.
+    /// How often its strands were bent, see `kink.rs`.
     pub kinked: u32,
-    /// How often joints were relaxed in it.
+    /// How often its constraints were relaxed.
     pub relaxings: u32,
-    /// Whether bonds that do not give displacement hold strands to the world in this iteration.
+    /// Whether rigid constraints couple strands to the world in this iteration.
     pub constrained_to_world: bool,
-    /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.
+    /// Whether strands may rest. Not with bilateral constraints, which hold to the last digit, nor in small islands, whose
+    /// strands converge sooner together.
     pub may_rest: bool,
-    /// How far from the end a strand may be to rest, rad, and its joints' residual.
+    /// How far from convergence a strand may be to rest, rad.
     pub rest: f64,
-    /// See `rest`.
+    /// The residual that its constraints may have then.
     pub rest_residual: f64,
-    /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
+    /// The least residual so far, in units of the tolerance, and the iteration in which it was halved.
     best: (f64, u32),
-    /// The same of how many strands and joints were not at their end.
+    /// The same for the number of unconverged strands and constraints.
     fewest: (usize, u32),
-    /// Iterations in a row that led nowhere, see [`IDLE`].
+    /// Iterations in a row without progress, see [`IDLE`].
     idle: u32,
-    /// How deep the deepest of its touches that give displacement was when they were pushed on last, m, and how often that was.
+    /// The depth of the deepest yielding contact at the last push, m, and the number of pushes.
     pub(super) pushed: (f64, u32),
     pub(super) ends: Vec<[End; 2]>,
-    /// The joints that have a part in the present contact problem: a strand at their ends moves.
+    /// The constraints in the present contact problem: those with a moving strand at one end.
     pub(super) included: Vec<u32>,
     pub(super) is_included: Vec<bool>,
-    /// Whether a strand has such joints.
+    /// Whether a strand has such constraints.
     pub(super) strand_is_included: Vec<bool>,
 }
 
@@ -148,11 +155,11 @@ impl Island {
         (self.best, self.fewest, self.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
     }
 
-    /// Goes on from where it was solved roughly. True if there is more to do.
+    /// Goes on from a rough solve. True if there is more to do.
     pub fn refine(&mut self) -> bool {
         let goes_on = self.rough && self.ending.attempt_converged;
         if goes_on {
-            // What rested did so by what was asked then.
+            // Strands rested by the rough tolerance.
             (self.done, self.ending.converged, self.ending.attempt_converged, self.rest) = (false, false, false, -1.0);
             self.begin_to_count(self.iterations);
         }
@@ -160,7 +167,7 @@ impl Island {
         goes_on
     }
 
-    /// How nearly the laws of touches are to hold.
+    /// The tolerance of the contact laws.
     pub(super) fn asked(&self, options: &ContactOptions) -> f64 {
         let size = self.report.size.max(1.0);
         let in_the_end = match options.model {
@@ -170,7 +177,7 @@ impl Island {
         if self.rough { in_the_end.max(ROUGH * size) } else { in_the_end }
     }
 
-    /// Finds every joint's ends among its strands' attachments, once they are in order.
+    /// Finds the points of every constraint in its strands' sorted attachments.
     pub fn find_ends(&mut self, strands: &[ConstrainedStrand]) {
         self.ends.clear();
         self.ends.resize(self.constraints.len(), [End { strand: 0, point: 0 }; 2]);
@@ -182,25 +189,25 @@ impl Island {
         }
     }
 
-    /// Whether a strand of it has come to nowhere, all that could be tried done: those alone that are astray themselves, which may free the
-    /// others; all where not one iteration was possible.
+    /// Whether one of its strands has diverged after all attempts: only strands that are unconverged themselves, which may free
+    /// the others; all if not even one iteration was possible.
     pub fn has_diverged(&self, strand: &ConstrainedStrand) -> bool {
         let all = self.iterations <= 1;
         self.ending.diverged && (all || strand.residual > DIVERGED || strand.residual.is_nan())
     }
 
-    /// Whether a strand ends in a body that it was not in when the step began, or beyond it.
+    /// Whether a strand ends in or beyond a body that it was outside of when the step began.
     pub fn is_behind(&self, strand: &ConstrainedStrand) -> bool {
         let constraint = |end: &Attachment| &self.constraints[end.constraint as usize];
         strand.attachments.iter().map(constraint).any(|constraint| constraint.is_behind(constraint.gap))
     }
 
-    /// Whether strands of it touch something.
+    /// Whether it has contacts.
     pub fn has_contacts(&self) -> bool {
         self.constraints.iter().any(StepConstraint::is_contact)
     }
 
-    /// Adds the held strands to `pressed` that run into what they touch if no force acts, when all have done the first half of an iteration.
+    /// After the first half of an iteration: adds the strands to `pressed` that would run into their partner without forces.
     pub fn about_to_press(&mut self, strands: &[ConstrainedStrand], pressed: &mut Vec<u32>) {
         self.find_ends(strands);
         for (constraint, [first, second]) in self.constraints.iter().zip(&self.ends) {
@@ -213,12 +220,12 @@ impl Island {
         }
     }
 
-    /// Lets it be solved roughly at first, if it has touches and is large.
+    /// Has it solved roughly first, if it has contacts and is large.
     pub fn begin_roughly(&mut self) {
         self.rough = self.strands.len() > FEW && self.has_contacts();
     }
 
-    /// Whether the joints at these ends hold, and none of them gives motion.
+    /// Whether the constraints at these ends hold without yielding.
     pub fn holds(&self, ends: &[Attachment]) -> bool {
         let holds = |end: &Attachment| {
             let constraint = &self.constraints[end.constraint as usize];
@@ -227,7 +234,7 @@ impl Island {
         ends.iter().all(holds)
     }
 
-    /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
+    /// Before an iteration: moves rings to where the strands run through them, and updates bodies' surfaces at their contacts.
     pub fn refresh(&mut self, strands: &[ConstrainedStrand], bodies: &[BodyAt]) {
         self.constrained_to_world = false;
         self.may_rest = self.strands.len() > FEW && !self.has_bilateral();
@@ -248,7 +255,8 @@ impl Island {
                     let (body, at) = (strand.met(bodies, *body), strand.end_state(&constraint.first.material_point));
                     if let Some(surface) = body.closest_at_end(at.now, LOOK) {
                         let new = body.to_world(&surface.normal);
-                        // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the strand lies across.
+                        // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the
+                        // strand lies across.
                         let along = |normal: &Vector3<f64>| normal.dot(&at.tangent).abs();
                         if new.dot(side) > SAME_SIDE && along(&new) < along(normal) + ALONG {
                             (*normal, *point) = (new, body.surface_at_end(&surface));
@@ -286,7 +294,8 @@ impl Island {
                 Law::Bilateral(bilateral) => bilateral.compliance = bilateral.compliance.max(compliance),
                 Law::Ring(ring) => ring.friction = Coefficient::uniform(0.0),
                 Law::Contact(contact) => {
-                    // A groom may be drawn with a strand between two surfaces that both push it into the other: no force parts these.
+                    // A groom may be drawn with a strand between two surfaces that both push it into the other: no force
+                    // separates these.
                     let most = 1.0 / compliance;
                     match &mut contact.response {
                         Response::Hard => {
@@ -307,7 +316,8 @@ impl Island {
         (law, u)
     }
 
-    /// How far the strands at a joint's ends, where they rest, are moved by the forces now, in units of an element's length.
+    /// How far the resting strands at a constraint's ends would be moved by the present forces, in units of an element's
+    /// length.
     fn pushes_resting(&self, index: usize, strands: &[ConstrainedStrand]) -> [f64; 2] {
         let ends = if self.constraints[index].second.is_some() { 2 } else { 1 };
         let mut motions = [0.0; 2];
@@ -323,23 +333,22 @@ impl Island {
         motions
     }
 
-    /// Whether constraints have a part in it.
+    /// Whether it has bilateral constraints.
     pub fn has_bilateral(&self) -> bool {
         !self.constraints.iter().all(StepConstraint::is_contact)
     }
 
-    /// What bends an element of the stiffest strand by about a radian, N.
+    /// The force that bends an element of the stiffest strand by about a radian, N.
     fn bending_force(&self, strands: &[ConstrainedStrand]) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].bending).fold(0.0, f64::max)
     }
 
-    /// The largest of its strands' [`ConstrainedStrand::usual_force`], N.
+    /// The largest [`ConstrainedStrand::usual_force`] of its strands, N.
     pub(super) fn usual_force(&self, strands: &[ConstrainedStrand], step: f64) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].usual_force(step)).fold(0.0, f64::max)
     }
 
-    /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
-    /// the strands are now.
+    /// After the second half: tests for convergence, by the strands' residuals and those of the laws at the new iterate.
     pub fn check(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft();
         let enough_for_contacts = match () {
@@ -387,10 +396,10 @@ impl Island {
                     (outside && exact, is_nearly_outside(gap, options))
                 }
             };
-            // (A joint that does not hold may wait for what its resting strand gives motion by, however little.)
+            // (A constraint that does not hold may wait for any displacement of its resting strand, however small.)
             let motions = self.pushes_resting(index, strands);
             let wakes = motions.map(|motion| motion > if holds { REST * tolerance } else { 0.0 });
-            // What rests is within that of its end, and moved by no more it is no further from it than it may be.
+            // A resting strand that moves by no more than this stays within the tolerance.
             let waits = motions.iter().any(|motion| *motion > (1.0 - REST) * tolerance);
             self.constraints[index].standing = Standing { law_residual, holds, nearly, wakes };
             self.constraints[index].may_sleep(&law, &u, moved);
@@ -409,7 +418,7 @@ impl Island {
         if open < self.fewest.0.div_ceil(2) {
             self.fewest = (open, self.iterations);
         }
-        // What rests is told as well, but nobody waits for it.
+        // Resting constraints are reported as well, but nothing waits for them.
         self.ending.residual = self.ending.residual.max(rested);
         let largest = |contacts: bool| {
             let of = self
@@ -425,8 +434,8 @@ impl Island {
         let idle = !options.model.is_soft()
             && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS * self.report.size);
         self.idle = if idle { self.idle + 1 } else { 0 };
-        // Constraints may turn a strand right round, a little in every iteration. What only waits for resting strands gets on: these are woken
-        // twice at most.
+        // Bilateral constraints may turn a strand right round, a little in every iteration. An island that waits only for
+        // resting strands makes progress: these are woken twice at most.
         let waits_only = good && wakes_some;
         let got_on = self.best.1.max(self.fewest.1);
         let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
@@ -434,12 +443,12 @@ impl Island {
         let slow = !waits_only && !self.has_bilateral() && self.iterations >= got_on + patience;
         let stuck = slow || self.beyond || self.has_bilateral() && self.idle > IDLE;
         let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
-        // One touch that stays a little beyond what is asked roughly says nothing of the end.
+        // One contact slightly beyond the rough tolerance says nothing about the end.
         let good = good && !wakes_some || self.rough && slow && enough;
         let good = good && !self.push_on(strands, options, step);
-        // What has given motion holds not, whatever it came to.
+        // An island with yielding constraints has not converged, whatever its residual.
         self.ending.attempt_converged = good;
-        // So many iterations are what the host chose to pay for.
+        // The host chose to pay for this many iterations.
         let chosen = options.model.is_soft() && options.max_iterations <= CHOSEN && self.iterations >= options.max_iterations;
         self.ending.converged = (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No);
         self.done = good || diverged || stuck || self.iterations >= options.max_iterations;
@@ -449,12 +458,12 @@ impl Island {
     }
 }
 
-/// Whether a touch with that gap is as far outside as a step's end asks.
+/// Whether the gap of a contact is within the tolerance of a converged step.
 pub(super) fn is_outside(gap: f64, options: &ContactOptions) -> bool {
     gap >= -0.5 * options.tolerance
 }
 
-/// The same of an island that does not get on.
+/// The same for an island that makes no progress.
 pub(super) fn is_nearly_outside(gap: f64, options: &ContactOptions) -> bool {
     gap >= -ENOUGH_DEPTH * options.tolerance
 }

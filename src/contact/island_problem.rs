@@ -1,4 +1,4 @@
-//! The contact problem of an island's Newton iteration: which joints have a part in it, and its solution.
+//! The contact problem of an island's Newton iteration: the constraints in it, and its solution.
 
 use nalgebra::Vector3;
 
@@ -13,17 +13,19 @@ use crate::error::Result;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
 
-/// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
+/// The tolerance of an island's first contact problem, and of later ones as a fraction of the laws' residual after the
+/// iteration before.
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
-/// The residual where constraints have a part, which are to hold to the last digit.
+/// The tolerance with bilateral constraints, which hold to the last digit.
 const CONSTRAINED: f64 = 1e-8;
-/// Viscous friction is whole from a force on that is this part of the lightest strand's weight.
+/// Viscous friction is in full force where the normal force exceeds this fraction of the lightest strand's weight.
 const RUBS_FULLY: f64 = 0.1;
-/// In how many of an island's first iterations it may grow with the force: a touch that its friction lifts off would come and go for ever.
+/// In how many of an island's first iterations it may grow with the force: later, a contact lifted off by its own friction
+/// would open and close for ever.
 const ASKED: u32 = 3;
 
-/// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
+/// The memory of contact problems, kept by a worker from island to island, in its caches.
 #[derive(Debug, Default)]
 pub struct ProblemScratch {
     space: ContactSpace,
@@ -33,11 +35,11 @@ pub struct ProblemScratch {
 }
 
 impl Island {
-    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution, unless `meter`
-    /// halts it. It takes [`Island::max_work`] at most.
+    /// Solves the contact problem of an iteration, after the strands' first half. The constraints' forces become its solution,
+    /// unless `meter` halts it. It costs at most [`Island::max_work`].
     ///
     /// # Errors
-    /// Where a number has turned non-finite.
+    /// If a number is not finite.
     pub(crate) fn solve<S: Default + Send>(
         &mut self,
         strands: &[ConstrainedStrand],
@@ -95,16 +97,17 @@ impl Island {
             space.add_constraint(SpaceConstraint { first: placed(first), second: second.map(placed), law, unconstrained })?;
             forces.push(self.constraints[constraint].force);
         }
-        // How large the problem is, for what is a small part of it.
+        // The size of the problem, for tolerances relative to it.
         let longest = space.constraints().iter().map(|constraint| constraint.unconstrained.norm()).fold(0.0, f64::max);
         self.report.size = if options.model.is_soft() { 1.0 } else { (longest / (SPEED * step)).max(1.0) };
         space.part(&partition.strand_ends, &partition.constraint_ends);
-        // Springs have no laws that hold exactly: what they are content with is a part of the problem.
+        // Springs have no exact laws: their tolerance is relative to the problem.
         let soft = options.model.is_soft();
         let scales = if soft { Scales::OfTheProblem } else { Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step } };
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
-        // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
+        // Not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to the last
+        // digit.)
         let size = self.report.size;
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
@@ -126,7 +129,7 @@ impl Island {
         Ok(())
     }
 
-    /// The joints that strands which move have.
+    /// Selects the constraints of strands that move.
     fn choose_included(&mut self, strands: &[ConstrainedStrand]) {
         self.included.clear();
         self.is_included.clear();
@@ -145,8 +148,8 @@ impl Island {
         }
     }
 
-    /// Brings the joints that have a part into the order of the parts of a large problem that threads sweep side by side. (Bonds join strands to blocks:
-    /// problems with constraints are left whole.)
+    /// Sorts them by the subdomains of a large problem, which threads sweep side by side. (Bilateral constraints join strands
+    /// to blocks: problems with them are not divided.)
     fn partition_included(&mut self, strands: &[ConstrainedStrand], partition: &mut Partition) {
         let may = !self.has_bilateral();
         let Self { included, ends, constraints, .. } = self;

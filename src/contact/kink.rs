@@ -1,7 +1,7 @@
-//! Strands that lie exactly along what presses them. A straight strand that is pushed along itself cannot give way in the linear model: no force along it
-//! moves the place that it acts at, J H⁻¹ Jᵀ is singular there, and the contact problem finds none that helps. It is on the top of a hill, on
-//! which Newton's iteration may rest, though every way leads down. Such a strand is bent a little, as far as takes its end out of what it is in, and to a side
-//! that its number tells: the same each time.
+//! Strands that lie exactly along what presses them. In the linear model a straight strand cannot yield to a push along itself:
+//! no force along it moves the point on which it acts, J H⁻¹ Jᵀ is singular there, and the contact problem finds no force that
+//! helps. The strand is at a maximum of the potential, on which Newton's iteration may rest though every direction leads down.
+//! It is bent a little, as far as takes its end out of the overlap, and to a side chosen by its index: the same in every run.
 
 use nalgebra::Vector3;
 
@@ -13,35 +13,35 @@ use crate::math::trigonometry::sine_cosine;
 use crate::step::Setting;
 use crate::step::constrained_packs::AnyPack;
 
-/// A place cannot give way along a direction in which its response is less than this part of all of it.
+/// A point cannot yield along a direction in which its response is less than this fraction of its trace.
 const STUCK: f64 = 1e-9;
-/// How often in a step an island's strands are bent so.
+/// How often in a step an island's strands are bent in this way.
 const MAX_KINKS: u32 = 3;
-/// A strand is bent by no more than this, rad.
+/// The largest turn of a strand, rad.
 const MAX_TURN: f64 = 1.0;
-/// From strand to strand the side turns by this, rad: the golden angle.
+/// The side turns by this from strand to strand, rad: the golden angle.
 const SIDES: f64 = 2.399_963_229_728_653;
-/// What constraints are off by is looked at from here on, m.
+/// Bilateral constraints are considered if they are off by more than this, m.
 const OFF: f64 = 1e-8;
 
-/// A strand that is to be bent: which of the held ones, and by what turn in all, rad.
+/// A strand to be bent, and the turn of all of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kink {
-    /// Index among the held strands.
+    /// Index among the constrained strands.
     pub strand: u32,
     /// rad.
     pub turn: f64,
 }
 
 impl Island {
-    /// At its end: the strands that cannot give way along themselves, and have to.
+    /// After convergence: the strands that have to yield along themselves and cannot.
     pub fn kinks(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions) -> Vec<Kink> {
         let mut kinks: Vec<Kink> = Vec::new();
         if self.kinked >= MAX_KINKS {
             return kinks;
         }
         for (constraint, ends) in self.constraints.iter().zip(&self.ends) {
-            // Which way its first end has to go, and how far.
+            // The direction in which its first end has to move, and the distance.
             let (direction, far) = match constraint.kind {
                 ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. }
                     if constraint.gap < -0.5 * options.tolerance =>
@@ -69,7 +69,7 @@ impl Island {
             }
             for (end, _, direction) in all() {
                 let strand = &strands[end.strand as usize];
-                // Only towards the root can it give way by bending.
+                // It can yield by bending only towards the root.
                 let (root, _) = strand.step.now();
                 let from_root = strand.end_state(&end.material_point).now - root;
                 let length = strand.along(&end.material_point);
@@ -94,7 +94,7 @@ impl ConstrainedStrand {
         response.trace() > 0.0 && direction.dot(&(response * direction)) < STUCK * response.trace()
     }
 
-    /// Bends it so.
+    /// Bends it.
     pub fn bend(&mut self, kink: &Kink, setting: &Setting, pack: &mut AnyPack) {
         let (sine, cosine) = sine_cosine(SIDES * f64::from(self.index));
         let curvature = kink.turn / self.length();

@@ -1,16 +1,17 @@
-//! The laws that touches obey, each with its exact solve for one touch alone.
+//! The laws of constraints, each with its exact solve for one constraint alone.
 //!
-//! A touch has a relative displacement `u` over the step (of the first point less that of its partner, m; between rotations rad) and a
-//! force `λ` that acts as +λ on the first and −λ on the partner (N; N·m). A law says which pairs (u, λ) may be. With implicit Euler's
-//! velocity, displacement over the step's seconds, this is the formulation of Daviet, Bertails-Descoubes and Boissieux (2011).
+//! A constraint has a relative displacement `u` over the step (of the first point minus that of its partner, m; between
+//! rotations rad) and a force `λ`, which acts as +λ on the first point and −λ on the partner (N; N·m). A law says which pairs
+//! (u, λ) are possible. With implicit Euler's velocity, displacement over the step's seconds, this is the formulation of
+//! Daviet, Bertails-Descoubes and Boissieux (2011).
 //!
 //! Files:
 //!
-//! - `bilateral.rs`: Bonds: points or rotations held together (pins, clamps, ties).
+//! - `bilateral.rs`: Bilateral constraints: points or rotations held together (pins, clamps, ties).
 //! - `coefficient.rs`: Friction coefficients that depend on the direction of sliding.
-//! - `contact.rs`: Contact with friction: its exact solve for one touch.
+//! - `contact.rs`: Contact with friction: its exact solve for one contact.
 //! - `linear.rs`: The laws as equations F(λ, u) = 0, linearised where (λ, u) is.
-//! - `response.rs`: The normal response: how deep a contact's surfaces go into each other under a normal force.
+//! - `response.rs`: The normal response: the depth of a contact under a normal force.
 //! - `ring.rs`: A ring that a strand slides through, with Coulomb friction.
 //! - `secular.rs`: The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
@@ -31,7 +32,7 @@ use self::contact::{Contact, ContactSolve};
 use self::ring::{Ring, RingSolve};
 use crate::error::Result;
 
-/// What a touch obeys.
+/// The law of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Law {
     /// Two surfaces that may part but not pass through each other, with friction.
@@ -52,9 +53,10 @@ impl Law {
         }
     }
 
-    /// How far (u, λ) is from obeying the law, without dimension: displacements are measured in `length` (m), forces in `force` (N), both
-    /// above zero. Zero exactly where the law holds. For inequalities and friction it is the natural map λ − P(λ − u) of Alart and Curnier
-    /// (1991), P the projection onto what λ may be; for equations it is how far they miss. `step` is the step's seconds.
+    /// How far (u, λ) is from obeying the law, without dimension: displacements in units of `length` (m), forces in units of
+    /// `force` (N), both above zero. Zero exactly where the law holds. For inequalities and friction it is the natural map λ −
+    /// P(λ − u) of Alart and Curnier (1991), P the projection onto the possible λ; for equations it is their residual. `step`
+    /// is the step's seconds.
     pub fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, step: f64, length: f64, force: f64) -> f64 {
         match self {
             Law::Contact(contact) => contact.residual(u, lambda, step, length, force),
@@ -64,7 +66,7 @@ impl Law {
     }
 }
 
-/// A law with all that its solve for one touch alone needs of W, the displacement `u` per unit of `λ`, worked out beforehand.
+/// A law with all that its solve for one constraint alone needs of W, the displacement `u` per unit of `λ`.
 #[derive(Debug, Clone, Copy)]
 pub enum LawSolve {
     /// See [`Law::Contact`].
@@ -91,9 +93,9 @@ impl LawSolve {
         self.solve_to(unconstrained, secular::EXACT)
     }
 
-    /// The same for who solves again and again with a `unconstrained` that changes less and less, as sweeps do: each solve begins where the last one came to,
-    /// so that this one need not be exact while that one was far off. Friction has the size that the law says; its direction, and the normal force with
-    /// it, are exact once `unconstrained` no longer changes.
+    /// The same for repeated solves with an `unconstrained` that changes less and less, as in sweeps: each solve begins where
+    /// the last one ended, so that early ones need not be exact. Friction has the size that the law says; its direction, and
+    /// with it the normal force, are exact once `unconstrained` no longer changes.
     #[inline(always)]
     pub(super) fn approach(&mut self, unconstrained: Vector3<f64>) -> Vector3<f64> {
         self.solve_to(unconstrained, secular::NEAR)

@@ -1,16 +1,16 @@
-//! Where two strands are nearest each other near a touch, and how deep they are in each other there.
+//! The depth of contacts between strands, from the points where the strands are nearest.
 
 use super::constrained_strand::ConstrainedStrand;
 use super::contact_point::StrandCurve;
 use super::helix_distance::{Arc, closest};
 use super::step_constraint::{ConstraintKind, StepConstraint};
 
-/// From element to element at most so often.
+/// The largest number of moves from element to element.
 const MAX_HOPS: usize = 8;
 
-/// How deep a touch's surfaces are in each other, m; zero or below where they are apart. A touch of strands keeps the points and the normal that it was
-/// found with, which have slid apart by a step's end: what it misses by more than `tolerance` is asked of the strands themselves, where they are
-/// nearest near these points. Points that have come to the other side are as deep as that.
+/// The depth of a contact, m; zero or below if the surfaces are apart. A contact between strands keeps the points and the
+/// normal that the search found, which have slid apart by the end of a step: a depth of more than `tolerance` is therefore
+/// measured between the nearest points of the strands near these. Points that have come to the other side have that depth.
 pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], tolerance: f64) -> f64 {
     let depth = -constraint.gap;
     let (ConstraintKind::Hair { margin, .. }, Some(second)) = (constraint.kind, constraint.second) else { return depth };
@@ -24,8 +24,8 @@ pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], toleran
     margin - nearest_distance(curves, exempt, ends.map(|end| (end.material_point.element, end.material_point.s)))
 }
 
-/// The least distance of two curves, beyond what is `exempt` at their roots (m), near two places of theirs (element, arclength in it, m).
-/// Ends count.
+/// The least distance of two curves beyond the lengths that are `exempt` at their roots (m), near these two points (element,
+/// arclength in it, m). Ends count.
 fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(usize, f64); 2]) -> f64 {
     let mut hops = 0;
     loop {
@@ -37,7 +37,7 @@ fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(us
         });
         let pair = closest(&arcs[0], &arcs[1], places.map(|place| place.1), [false; 2]);
         let found = [0, 1].map(|k| (arcs[k].element, pair.s[k]));
-        // Where an arc's end is nearest and the distance still falls beyond it, the next arc is asked.
+        // Where the distance still falls at the end of an arc, the next arc follows.
         places = [0, 1].map(|k| {
             let (element, s) = found[k];
             let elements = curves[k].elements;

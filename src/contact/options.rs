@@ -13,13 +13,13 @@ pub const GRAVITY: f64 = 9.81;
 #[repr(u32)]
 pub enum ContactModel {
     /// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface (Bertails et al. 2006, section 5). The cheap
-    /// model: iterated to 2e-3 rad, one search for touches, and surfaces that sink into each other by their force over
+    /// model: iterated to 2e-3 rad, one search for contacts, and surfaces that sink into each other by their force over
     /// [`ContactOptions::stiffness`].
     Penalty = 1,
     /// The same with a spring that begins softly (Bergbom 2007, section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k (d − d_reg/2).
     RegularisedPenalty = 2,
     /// Signorini's and Coulomb's laws: surfaces do not pass through each other (to [`ContactOptions::tolerance`] at the end of every step), and
-    /// friction is Coulomb's, all touches as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
+    /// friction is Coulomb's, all contacts as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
     #[default]
     Coulomb = 4,
 }
@@ -58,7 +58,7 @@ pub struct ContactOptions {
     pub model: ContactModel,
     /// Whether strands touch each other. False: only bodies, and costs nothing.
     pub hair: bool,
-    /// Penalty: k of one touch, N/m; above zero.
+    /// Penalty: k of one contact, N/m; above zero.
     pub stiffness: f64,
     /// Penalty: what k is multiplied by to damp approach and parting, s; zero or above.
     pub damping: f64,
@@ -66,7 +66,7 @@ pub struct ContactOptions {
     pub regularisation_depth: f64,
     /// Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero.
     pub tolerance: f64,
-    /// Coulomb: what the laws of contact and friction may err by where a step is told as converged; 1e-12 to 1. At every touch they hold
+    /// Coulomb: what the laws of contact and friction may err by where a step is reported as converged; 1e-12 to 1. At every contact they hold
     /// exactly for some force within `residual` times the force (or the lightest strand's weight, where that is more) of the one that
     /// acts, and some velocity within `residual` times [`SPEED`] of the one that there is: 1e-4 is a ten-thousandth of the force and
     /// a micrometre a second. (Strands come to within the solver's Newton tolerance of their end.)
@@ -76,7 +76,7 @@ pub struct ContactOptions {
     pub separation_speed: f64,
     /// Newton iterations that strands may take together in a step; 1 to 10000. With the penalty models up to ten are a choice, of what to pay for
     /// a step (`docs/notebook/contact.md` has prices of one, two and four): what springs have not pushed out by then they do in the next steps, and
-    /// strands that were not at the end of the iteration are told as unconverged. More, and with the other models any, are a limit: what has not
+    /// strands that were not at the end of the iteration are reported as unconverged. More, and with the other models any, are a limit: what has not
     /// ended by then is taken again, giving way.
     pub max_iterations: u32,
     /// Sweeps of the contact problem's solver in each of them; 1 to 1000000.
@@ -181,13 +181,13 @@ pub struct StrandContact {
     pub friction: Friction,
     /// Coulomb's coefficient against strands: the mean of both (hard and Coulomb models).
     pub hair_friction: Friction,
-    /// Viscous friction of a touch, N·s/m (penalty models), against bodies (multiplied by the body's) and strands (the mean of both).
+    /// Viscous friction of a contact, N·s/m (penalty models), against bodies (multiplied by the body's) and strands (the mean of both).
     pub viscous_friction: Friction,
     /// The first so many metres from the follicle touch nothing; zero or above.
     pub exempt_length: f64,
     /// Bits of the groups that the strand is in.
     pub groups: u32,
-    /// Bits of the groups that it touches: two things touch where each is in a group that the other touches.
+    /// Bits of the groups that it touches: two things touch where each is in a group that the other contacts.
     pub mask: u32,
 }
 

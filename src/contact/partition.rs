@@ -1,33 +1,34 @@
-//! A large problem in parts that threads sweep side by side: strands are halved by where their roots are, again and again, each time across the
-//! axis that cuts fewest touches. A touch of two parts' strands waits for both: it is in the smallest part that has them whole (`subdomains.rs`). Who
-//! sweeps a part changes no result, and how many parts there are depends on the problem alone.
+//! Divides a large problem into subdomains that threads sweep side by side: strands are halved by the positions of their roots,
+//! again and again, each time across the axis that cuts fewest contacts. A contact between strands of two subdomains waits for
+//! both: it is in the smallest subdomain that has them whole (`subdomains.rs`). No result depends on the threads, and the
+//! number of subdomains depends on the problem alone.
 
 use nalgebra::Vector3;
 
 use super::subdomains::smallest;
 
-/// Problems of fewer touches are left whole: what parts would save, handing them out costs.
+/// Problems of fewer contacts are not divided: the overhead would exceed the gain.
 const LEAST: usize = 250;
 /// How often strands are halved.
 const HALVINGS: u32 = 2;
 
-/// The strands that a touch is between; none where its partner is a body.
+/// The strands of a contact; `None` where its partner is a body.
 type Ends = [Option<u32>; 2];
 
-/// Strands and touches in parts. Its memory is kept.
+/// Strands and contacts by subdomain. Its memory is kept.
 #[derive(Debug, Default)]
 pub struct Partition {
-    /// The strands, part after part.
+    /// The strands, subdomain by subdomain.
     pub strands: Vec<u32>,
-    /// Every strand's place among them.
+    /// Every strand's index among them.
     pub place: Vec<u32>,
-    /// Where the strands of every part of the lowest level end.
+    /// The end of every lowest subdomain's strands.
     pub strand_ends: Vec<usize>,
-    /// Where the touches of every part of every level end.
+    /// The end of the contacts of every subdomain of every level.
     pub constraint_ends: Vec<usize>,
-    /// The touches, part after part.
+    /// The contacts, subdomain by subdomain.
     constraints: Vec<u32>,
-    /// Every strand's part.
+    /// Every strand's subdomain.
     part: Vec<u32>,
     roots: Vec<Vector3<f64>>,
     between: Vec<Ends>,
@@ -38,7 +39,7 @@ pub struct Partition {
 }
 
 impl Partition {
-    /// Parts strands with these roots, and touches between them, where it `may` and there are enough.
+    /// Divides strands with these roots, and contacts between them, if it `may` and there are enough.
     pub fn update(&mut self, roots: impl Iterator<Item = Vector3<f64>>, constraints: impl Iterator<Item = Ends>, may: bool) {
         self.roots.clear();
         self.roots.extend(roots);
@@ -65,7 +66,7 @@ impl Partition {
         self.order_constraints(1 << halvings);
     }
 
-    /// Puts a list with an entry a touch into the touches' order.
+    /// Sorts a list with one entry per contact by subdomain.
     pub fn put_in_order(&mut self, list: &mut [u32]) {
         self.order.clear();
         self.order.extend(self.constraints.iter().map(|constraint| list[*constraint as usize]));
@@ -80,7 +81,7 @@ impl Partition {
         }
     }
 
-    /// Halves each of `subdomains` parts: part k becomes 2 k and 2 k + 1.
+    /// Halves each of `subdomains`: number k becomes 2 k and 2 k + 1.
     fn halve(&mut self, subdomains: u32) {
         let Self { part, roots, between, weights, order, halved, best, .. } = self;
         let mut least = usize::MAX;
@@ -163,7 +164,7 @@ mod tests {
                     "touch {constraint}"
                 );
             }
-            // Balanced, by touches, to a row of the grid.
+            // Balanced by contacts, to a row of the grid.
             let fraction = (end - first) as f64 / constraints.len() as f64;
             assert!(
                 if k < 4 { (0.2..0.27).contains(&fraction) } else { fraction > 0.0 && fraction < 0.05 },

@@ -1,6 +1,6 @@
-//! Where sweeps over a large problem do not get on it is for a few touches that hang together closely: those around the worst are taken
-//! out, and solved at once with their neighbours as they are (Schwarz's method, where it is needed). Patches that share no block do not see
-//! each other.
+//! Patches: where sweeps over a large problem make no progress it is for a few closely coupled contacts. Those around the
+//! largest residuals are solved at once, with their neighbours fixed (Schwarz's method, where it is needed). Patches that share
+//! no block are independent.
 
 use nalgebra::Vector3;
 
@@ -11,14 +11,14 @@ use super::system::System;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
 
-/// Most patches at a time, and most rows of one.
+/// The largest number of patches at a time, and of rows in one.
 const MAX_PATCHES: usize = 8;
 const MAX_ROWS: usize = 40;
-/// The residual that is asked of a patch, as a part of what is asked of the problem, and the part of its own that a patch may leave.
+/// The tolerance of a patch as a fraction of that of the problem, and as a fraction of its first residual.
 const AIM: f64 = 0.3;
 const PART: f64 = 0.1;
 
-/// The memory of the search.
+/// Memory of patches.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Patches {
     /// The residual of each row.
@@ -26,23 +26,23 @@ pub(super) struct Patches {
     /// Rows that are in a patch.
     taken: Vec<bool>,
     blocks: Vec<usize>,
-    /// The turn of the last patch that has a block.
+    /// The turn of the last patch that includes a block.
     turns: Vec<u32>,
     patches: Vec<Patch>,
 }
 
-/// Some touches.
+/// Some contacts.
 #[derive(Debug, Clone, Default)]
 struct Patch {
     rows: Vec<u32>,
-    /// After the patches before that share a block with it.
+    /// Its turn: after the earlier patches that share a block with it.
     turn: u32,
     newton: BlockNewton,
 }
 
 impl Patches {
-    /// Finds the patches around the touches that miss their laws most, and solves them for what is asked of the problem, or part of
-    /// what they miss it by. Gives the work that it took.
+    /// Finds the patches around the largest residuals and solves them to the problem's tolerance, or to a fraction of their
+    /// residuals. Returns the cost.
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, when to stop and who works")]
     pub(super) fn solve<S: Default + Send>(
         &mut self,
@@ -82,7 +82,7 @@ impl Patches {
         work
     }
 
-    /// Looks at all rows.
+    /// Computes all residuals.
     fn begin(&mut self, space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) {
         self.taken.clear();
         self.taken.resize(system.rows.len(), false);
@@ -95,8 +95,8 @@ impl Patches {
         }));
     }
 
-    /// A patch: the rows that press, or miss their law, around the one that misses it most of those in no patch yet, nearest first by the blocks
-    /// that they share, then ascending. False where none misses by more than `tolerance`.
+    /// Finds a patch: the rows that press or have a residual, around the one with the largest residual of those in no patch
+    /// yet; the nearest by shared blocks first, then ascending. False if no residual exceeds `tolerance`.
     fn find(&mut self, system: &System, forces: &[Vector3<f64>], tolerance: f64, patch: &mut Patch) -> bool {
         let Patch { rows, turn, .. } = patch;
         let free = self.residuals.iter().enumerate().filter(|(row, _)| !self.taken[*row]);

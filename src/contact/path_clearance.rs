@@ -1,7 +1,9 @@
-//! Whether a strand that has stepped freely stayed clear of a body all the way: a bound on the distance, place by place and time by time.
+//! Whether a strand that has stepped unconstrained stayed clear of a body all the time: a bound on the distance, piece by piece
+//! and time by time.
 //!
-//! As in the exact search, points go straight in the body's turning axes. A piece of strand in a part of the step lies within a ball about where its
-//! middle is in the middle of that part, or around its chord then; pieces whose ball or chord may meet the surface are halved, along the strand or in time.
+//! As in the exact search, points move straight in the body's turning axes. A piece of strand in a part of the step lies within
+//! a ball about its middle in the middle of that part, or around its chord then; pieces whose ball or chord may meet the
+//! surface are halved, along the strand or in time.
 
 use nalgebra::Vector3;
 
@@ -14,32 +16,32 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
-/// Most balls, or chords, of a strand and a body whose distance is measured.
+/// The largest number of balls, or chords, measured for a strand and a body.
 const MAX_BALLS: u32 = 256;
-/// Most pieces of an element that wait to be measured: halves of halves.
+/// The largest number of pieces of an element in the queue: halves of halves.
 const MAX_PIECES: usize = 24;
 
-/// A strand's way through a step, and what of it touches bodies.
+/// A strand's path through a step, with its contact properties.
 #[derive(Debug, Clone, Copy)]
 pub struct FreePath<'a> {
     /// The elements' lengths, m.
     pub lengths: &'a [f64],
-    /// Where the root is at the start and at the end, world.
+    /// The root's pose at the start and at the end, world.
     pub root: [Frame; 2],
     /// The curvatures then.
     pub curvatures: [&'a [[f64; 3]]; 2],
-    /// Arclength from the root over which nothing is touched, m.
+    /// Arclength from the root without contact, m.
     pub exempt: f64,
     /// The strand's radius, m.
     pub radius: f64,
-    /// How far it may be in bodies.
+    /// Its permitted overlap.
     pub permitted_overlap: Option<&'a PermittedOverlap>,
 }
 
 /// Lists that are used again from call to call.
 #[derive(Debug, Clone, Default)]
 pub struct ClearanceScratch {
-    /// At the start and the end, world axes; of the start nothing until it is asked for.
+    /// Elements at the start and the end, world axes; those at the start only when needed.
     world: [Vec<ElementState<f64>>; 2],
     /// The same in the body's axes.
     elements: [Vec<ElementState<f64>>; 2],
@@ -66,7 +68,7 @@ impl ClearanceScratch {
 struct Piece {
     /// From arclength to arclength of the element.
     along: [f64; 2],
-    /// Where its middle is when that part begins and ends, the body's axes.
+    /// Position of its middle at the beginning and the end of that part, the body's axes.
     path: [Vector3<f64>; 2],
     /// That part of the step, from 0 to 1.
     time: [f64; 2],
@@ -77,7 +79,7 @@ struct Piece {
 struct Chord {
     /// From arclength to arclength of the element.
     along: [f64; 2],
-    /// Where its first end and its second are when that part begins and ends, the body's axes.
+    /// Positions of its first and its second end at the beginning and the end of that part, the body's axes.
     paths: [[Vector3<f64>; 2]; 2],
     /// That part of the step, from 0 to 1.
     time: [f64; 2],
@@ -93,7 +95,7 @@ struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// Where the material point at an arclength of it is.
+    /// Position of the material point at an arclength of it, at the start and at the end.
     fn path(&self, s: f64) -> [Vector3<f64>; 2] {
         [0, 1].map(|end| self.origins[end] + Vector3::from(self.states[end].point(s).position))
     }
@@ -111,15 +113,15 @@ impl Element<'_> {
     }
 }
 
-/// Whether distances tell that a strand is clear of a body: not of a mesh that deforms, and not of one that acts on one side, behind which
+/// Whether distances decide if a strand is clear of a body: not of a deforming mesh, and not of a one-sided one, behind which
 /// distances jump.
 pub fn can_tell(body: &BodyAt) -> bool {
     !body.deforms() && body.shape.mesh().is_none_or(|mesh| !matches!(mesh.sides(), Sides::Front { .. }))
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also where 256 balls do not decide
-    /// it, and beside a body for which distances cannot ([`can_tell`]).
+    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
+    /// where 256 balls do not decide it, and for a body whose distances cannot ([`can_tell`]).
     pub fn is_clear_of<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a BodyAt<'a>>,
@@ -136,7 +138,7 @@ impl FreePath<'_> {
         })
     }
 
-    /// A box around all that its surface comes to.
+    /// A box around its surface at all times.
     fn around(&self, scratch: &mut ClearanceScratch) -> Bounds {
         scratch.world[0].clear();
         self.place(1, scratch);
@@ -156,7 +158,7 @@ impl FreePath<'_> {
         if !can_tell(body) {
             return false;
         }
-        // A sheet has no inside to be in: what goes through it is on its other side.
+        // A sheet has no inside: what goes through it is on its other side.
         let is_sheet = body.shape.mesh().is_some_and(|mesh| mesh.sides() == Sides::Both);
         let (path, spare) = if is_sheet { (Self { permitted_overlap: None, ..*self }, 0.0) } else { (*self, spare) };
         path.stays_out(body, spare, scratch)
@@ -357,7 +359,8 @@ mod tests {
     const LENGTH: f64 = 0.1;
     const RADIUS: f64 = 5e-5;
 
-    /// Whether a straight strand along x that goes from place to place stays clear of a body that goes from pose to pose.
+    /// Whether a straight strand along x that moves between these positions stays clear of a body that moves between these
+    /// poses.
     fn is_clear(
         shape: &Shape,
         path: [Vector3<f64>; 2],
@@ -461,7 +464,8 @@ mod tests {
         }
     }
 
-    /// On both sides of a sheet there is room, and no way from one to the other, whatever the strand may be sunk in bodies that have an inside.
+    /// There is room on both sides of a sheet, and no path from one to the other, whatever the strand's permitted overlap with
+    /// bodies that have an inside.
     #[test]
     fn a_sheet_is_not_passed_through() {
         let (sheet, front) = (square(Sides::Both), square(Sides::Front { depth: 0.01 }));

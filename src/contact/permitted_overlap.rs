@@ -1,9 +1,9 @@
-//! How far a strand may be in others and in bodies, place by place: grooms are drawn with wisps in wisps and hair in heads, and what was drawn so
-//! has to bear no force where the groom as drawn is to rest.
+//! Permitted overlaps of a strand with others and with bodies, along its length. Grooms are drawn with wisps in wisps and hair
+//! in heads; where such a groom is to rest as drawn, these overlaps must bear no force.
 
 use crate::error::{Error, Result, check_not_negative};
 
-/// What a strand may overlap, told at stations along it, linear between them and constant beyond the first and the last. It is bound to
+/// What a strand may overlap, told at material points along it, linear between them and constant beyond the first and the last. It is bound to
 /// arclength, not to elements, and stays where it is when these change.
 ///
 /// ```
@@ -20,11 +20,11 @@ use crate::error::{Error, Result, check_not_negative};
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PermittedOverlap {
-    /// Arclength of the stations from the root, m, rising; the first zero or above. At least one.
+    /// Arclengths of the material points from the root, m, ascending; the first zero or above. At least one.
     pub along: Vec<f64>,
-    /// What is left of the wisp's radius at each station, 0 to 1.
+    /// The fraction left of the wisp's radius at each material point, 0 to 1.
     pub wisp_fractions: Vec<f64>,
-    /// How far the strand's surface may be in a body at each station, m, zero or above.
+    /// The permitted depth of the strand's surface in a body at each material point, m, zero or above.
     pub sunk: Vec<f64>,
 }
 
@@ -32,7 +32,7 @@ impl PermittedOverlap {
     /// Checks the lists; `name` goes before theirs in the error.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for lists of different lengths or without stations, or the first value out of range.
+    /// [`Error::InvalidArgument`] for lists of different lengths or without material points, or the first value out of range.
     pub fn check(&self, name: &str) -> Result<()> {
         let count = self.along.len();
         if count == 0 {
@@ -57,12 +57,12 @@ impl PermittedOverlap {
         self.sunk.iter().enumerate().try_for_each(|(k, sunk)| check_not_negative(|| format!("{name}.sunk[{k}]"), *sunk))
     }
 
-    /// What is left of the wisp's radius at an arclength (m), 0 to 1.
+    /// The fraction left of the wisp's radius at an arclength (m), 0 to 1.
     pub fn wisp_fraction(&self, along: f64) -> f64 {
         self.between(&self.wisp_fractions, along)
     }
 
-    /// How far the strand may be in a body at an arclength (m), m.
+    /// The permitted depth in a body at an arclength (m), m.
     pub fn sunk(&self, along: f64) -> f64 {
         self.between(&self.sunk, along)
     }

@@ -1,13 +1,14 @@
-//! Whether two moving pieces of strands plainly keep their sides to each other: a quick look that spares the search for crossings most of its
-//! work, and must never spare it one that there is.
+//! Whether two moving pieces of strands plainly keep their sides to each other: a quick test that spares the search for
+//! crossings most of its work, and must never hide a crossing.
 
 use nalgebra::Vector3;
 
 use super::strand_contacts::MovingPiece;
 
-/// Whether no point of one piece comes nearer than `room` (m) to one of the other between the step's start and now, all going straight there:
-/// some direction that is the way between the chords where they are nearest (`apart`: at the start, and now) parts the pieces at both times
-/// by more than that. All that is between a point's two places lies on the same side, so that it parts them all the way. False says nothing.
+/// Whether no point of one piece comes closer than `room` (m) to one of the other between the start of the step and now, in
+/// straight motion: some direction, of those between the chords where they are nearest (`apart`: at the start, and now),
+/// separates the pieces at both times by more than that. All positions between the two lie on the same side, so that it
+/// separates them all the time. False says nothing.
 pub(super) fn keep_sides(a: &MovingPiece, b: &MovingPiece, apart: [Vector3<f64>; 2], room: f64) -> bool {
     let room = room + a.sagitta + b.sagitta;
     let parts = |direction: &Vector3<f64>| {
@@ -78,12 +79,12 @@ mod tests {
         a.windows(2).flat_map(|p| b.windows(2).map(move |q| of(p, q))).fold(f64::INFINITY, f64::min)
     }
 
-    /// The least distance of two curves on their way, whose points go by at most `motion` each.
+    /// The least distance of two curves during the motion, in which points move by at most `motion` each.
     fn nearest_on_the_way(a: &Curve, b: &Curve, motion: f64) -> f64 {
         let at: Vec<f64> = (0..=TIMES).map(|k| distance(a, b, k as f64 / TIMES as f64)).collect();
         let mut least = at.iter().copied().fold(f64::INFINITY, f64::min);
         for k in 0..=TIMES {
-            // Whether they may meet between the times beside this one: then when is searched for.
+            // Whether they may meet between the neighbouring times: then the time is searched for.
             let may_meet = at[k] <= 2.0 * motion / TIMES as f64;
             if !may_meet || at[k] > at[k.saturating_sub(1)] || at[k] > at[(k + 1).min(TIMES)] {
                 continue;
@@ -103,7 +104,7 @@ mod tests {
         least
     }
 
-    /// Curves of about a unit's length; their ends go any way by up to `motion`, and they are bowed by up to `bow`.
+    /// Curves of about a unit's length; their ends move in any direction by up to `motion`, and they are bowed by up to `bow`.
     fn random_pair(random: &mut Random, motion: f64, bow: f64) -> [Curve; 2] {
         let away = 0.8 * random.unit();
         [0.0, away].map(|away| {
@@ -125,8 +126,8 @@ mod tests {
         keep_sides(&moving(a), &moving(b), [apart(&a.start, &b.start), apart(&a.now, &b.now)], 0.0)
     }
 
-    /// However far curves go and however they are bowed: where they cross on their way they are never said to keep their sides; and most that are
-    /// plainly apart all the way, by more than half of what they go and than they are bowed, are said to.
+    /// However far curves move and however they are bowed: curves that cross are never said to keep their sides; and most that
+    /// are plainly apart all the time, by more than half of their motion and than their bow, are.
     #[test]
     fn no_crossing_is_said_to_keep_its_side() {
         let mut random = Random(Seeded::new(7, 0), 0);
@@ -149,8 +150,8 @@ mod tests {
         assert!(crossed > 500 && kept > 1000 && all > 1000, "{crossed} {kept} {all}");
     }
 
-    /// The ways between the chords at the start and now may point alike though they crossed: one turns by 150 degrees about its end, and through
-    /// the other on its way.
+    /// The offsets between the chords at the start and now may point alike though they crossed: one turns by 150 degrees about
+    /// its end, and through the other on its way.
     #[test]
     fn a_piece_that_swings_round_has_not_kept_its_side() {
         let v = Vector3::new;

@@ -1,7 +1,7 @@
-//! What holds strands at stations during a step: a touch with a body or another strand, a constraint's part. Each Newton iteration asks
-//! it for its law and for the relative displacement that there is at the present iterate.
+//! Constraints of one step: a contact of a strand with a body or another strand, or a part of a bilateral constraint. Every
+//! Newton iteration evaluates the law of each and its relative displacement at the present iterate.
 //!
-//! The displacement over the step has the gap at the step's end as its normal part and the slip over the step as its tangential part.
+//! Displacements are over the step. Their normal part is the gap at the end of the step, their tangential part the slip.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -16,169 +16,171 @@ use crate::chain::load::MaterialPoint;
 use crate::math::vector::Mat3;
 use crate::step::constrained_step::WorldConstraint;
 
-/// A strand is as thick as this at least where it is asked whether it is behind a body, m.
+/// A strand has at least this thickness in the test for being behind a body, m.
 const LEAST_MARGIN: f64 = 1e-5;
 
-/// A body's surface is on the side that was found while its normal has turned by no more than this cosine since.
+/// A body's surface is on the side found by the search while its normal has turned by no more than this cosine since.
 pub const SAME_SIDE: f64 = 0.7;
-/// Where one less the cosine between two normals is less, they are of one face.
+/// Two normals belong to one face if one minus their cosine is less than this.
 const ONE_FACE: f64 = 0.01;
 
-/// One end of a joint: which of the held strands, and where on it.
+/// One end of a constraint: a material point of a constrained strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConstraintEnd {
-    /// Index among the strands held in this step.
+    /// Index among the constrained strands of this step.
     pub strand: u32,
-    /// Where.
+    /// The material point.
     pub material_point: MaterialPoint,
 }
 
-/// Where an end is.
+/// The state of a constraint's end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EndState {
-    /// At the step's start, world, m.
+    /// Position at the start of the step, world, m.
     pub start: Vector3<f64>,
-    /// At the present iterate for the step's end.
+    /// Position at the present iterate, world, m.
     pub now: Vector3<f64>,
-    /// The tangent there now, unit, root to tip.
+    /// Tangent at the present iterate, unit, from root to tip.
     pub tangent: Vector3<f64>,
 }
 
-/// What a joint is.
+/// The kind of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ConstraintKind {
-    /// A body's surface.
+    /// Contact with a body.
     Body {
         /// Index of the body.
         body: u32,
-        /// Which triangle of a mesh.
+        /// Triangle of a mesh; 0 for other shapes.
         feature: u32,
-        /// Unit normal at the step's end, towards the strand.
+        /// Unit normal at the end of the step, towards the strand.
         normal: Vector3<f64>,
-        /// The normal that the search found: which side of the body the strand is to stay on.
+        /// The normal found by the search: the side of the body on which the strand stays.
         side: Vector3<f64>,
-        /// The body's point at the step's end.
+        /// The body's point at the end of the step, world, m.
         point: Vector3<f64>,
-        /// How far that point goes in the step.
+        /// Displacement of that point during the step, m.
         carried: Vector3<f64>,
-        /// From centreline to surface: the strand's radius and the body's thickness, m.
+        /// Distance from centreline to surface: the strand's radius plus the body's thickness, m.
         margin: f64,
-        /// Multiplies the strand's friction: Coulomb's, viscous.
+        /// Factors of the strand's friction: Coulomb, viscous.
         friction: [f64; 2],
     },
-    /// Another strand's surface; the first end is the strand of the lower index.
+    /// Contact with another strand; the first end is on the strand of the lower index.
     Hair {
         /// Unit normal, from the second end to the first.
         normal: Vector3<f64>,
         /// Sum of both radii, m.
         margin: f64,
     },
-    /// A point of the world.
+    /// A point fixed in the world.
     Pin {
-        /// Which constraint.
+        /// Index of the bilateral constraint in the scene.
         bilateral: u32,
-        /// Where the end is held at the step's end.
+        /// The target at the end of the step.
         target: Vector3<f64>,
-        /// Along which axes.
+        /// The constrained axes.
         axes: ConstrainedAxes,
-        /// m/N.
+        /// Compliance, m/N.
         compliance: f64,
     },
-    /// Two ends held together.
+    /// Two points tied together.
     Tie {
-        /// Which constraint.
+        /// Index of the bilateral constraint in the scene.
         bilateral: u32,
-        /// m/N.
+        /// Compliance, m/N.
         compliance: f64,
     },
     /// A ring that the strand slides through.
     Ring {
-        /// Which constraint.
+        /// Index of the bilateral constraint in the scene.
         bilateral: u32,
-        /// Where it is at the step's end.
+        /// Position at the end of the step.
         target: Vector3<f64>,
-        /// How far it goes in the step.
+        /// Displacement during the step.
         carried: Vector3<f64>,
-        /// Coulomb's coefficient.
+        /// Coulomb friction.
         friction: options::Friction,
     },
 }
 
-/// How a joint stood when it was last looked at.
+/// The state of a constraint at the last check.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standing {
-    /// The law's residual, see [`Law::residual`].
+    /// Residual of its law, see [`Law::residual`].
     pub law_residual: f64,
-    /// Whether it holds as exactly as a step's end asks.
+    /// The law holds to the tolerance of a converged step.
     pub holds: bool,
-    /// Whether it holds nearly enough for an island that does not get on.
+    /// The law holds well enough for an island that makes no progress.
     pub nearly: bool,
-    /// Whether its force has changed so much that the strand at either end cannot stay where it is.
+    /// Its force has changed so much that the resting strand at this end must move.
     pub wakes: [bool; 2],
 }
 
 impl Standing {
-    /// Before the first look.
+    /// Before the first check.
     pub const UNKNOWN: Self = Self { law_residual: f64::INFINITY, holds: false, nearly: false, wakes: [true; 2] };
 
-    /// Where surfaces are apart and nothing presses them.
+    /// The surfaces are apart and nothing presses them.
     pub fn apart() -> Self {
         Self { law_residual: 0.0, holds: true, nearly: true, wakes: [false; 2] }
     }
 }
 
-/// Whether a joint gives way where it cannot be held. One that does does not rub.
+/// Whether and how a constraint that cannot be satisfied yields. One that yields has no friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Give {
-    /// It holds.
+    /// It does not yield.
     #[default]
     No,
-    /// A touch gives way a little.
+    /// A contact yields a little.
     ALittle,
-    /// Touches and constraints give way by more, until their strands come to an end.
+    /// Contacts and bilateral constraints yield more, until their strands converge.
     Much,
 }
 
-/// A joint of the present step.
+/// A constraint of the present step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepConstraint {
-    /// Where +force acts.
+    /// The end on which +force acts.
     pub first: ConstraintEnd,
-    /// Where −force acts; none where the partner is not a strand.
+    /// The end on which −force acts; `None` if the partner is no strand.
     pub second: Option<ConstraintEnd>,
-    /// What it is.
+    /// Its kind.
     pub kind: ConstraintKind,
-    /// The force, N, world axes: the last iteration's.
+    /// Force of the last iteration, N, world axes.
     pub force: Vector3<f64>,
-    /// How much of its viscous friction there is, in the models that have it, 0 to 1: friction begins with the force that presses, so that what is all but
-    /// apart is nearly as what is apart.
+    /// Fraction of its viscous friction in force, 0 to 1 (penalty models): friction grows with the normal force from zero, so
+    /// that a contact about to open behaves nearly as an open one.
     pub rubs: f64,
-    /// Displacement over the step at the last evaluation.
+    /// Displacement over the step at the last evaluation, m.
     pub slip: Vector3<f64>,
-    /// Gap at the last evaluation (touches), m, or how far a constraint was from holding.
+    /// Gap of a contact at the last evaluation, m; for a bilateral constraint its distance from being satisfied.
     pub gap: f64,
-    /// The surfaces were in each other when the step began: they part, but give way to each other meanwhile (the hard models).
+    /// The surfaces overlapped when the step began: they separate at a limited speed and yield meanwhile (hard models).
     pub deep: bool,
-    /// How it gives way, if it could not be held, or held a strand that did not come to its end (`ending.rs`).
+    /// How it yields, if it or its strand did not converge (`ending.rs`).
     pub give: Give,
-    /// How far it is from where it is to be, m, and by how much more than that its spring pushes: zero or above; of what gives way (`pushing.rs`).
+    /// Of a constraint that yields: the depth that is left, m, and the offset by which its spring pushes beyond it, m, zero or
+    /// above (`pushing.rs`).
     pub off: f64,
     /// See `off`.
     pub pushed: f64,
-    /// It is one of a body's faces in a crease, and stays on that.
+    /// It is one of two faces of a body in a crease, and stays on its face.
     pub in_crease: bool,
-    /// A touch that has no part in contact problems for now: nothing presses it, and its surfaces are further apart than strands still go.
+    /// A contact left out of contact problems: nothing presses it, and its surfaces are further apart than the strands still
+    /// move.
     pub dormant: bool,
-    /// It was dormant, and came to touch after all: it is not again.
+    /// It was dormant and closed again: it is not left out a second time.
     pub roused: bool,
-    /// Whether it is in the linear model that the strand at either end has from its last iteration.
+    /// Whether the linear model of the strand at either end includes it, as of its last iteration.
     pub modelled: [bool; 2],
-    /// How it stood at the last check.
+    /// Its state at the last check.
     pub standing: Standing,
 }
 
 impl StepConstraint {
-    /// One that nobody has looked at yet.
+    /// A constraint that has not been checked yet.
     pub fn new(first: ConstraintEnd, second: Option<ConstraintEnd>, kind: ConstraintKind, force: Vector3<f64>) -> Self {
         Self {
             first,
@@ -205,12 +207,14 @@ impl StepConstraint {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
-    /// Whether a strand at such a `gap` is in a body that it was not in when the step began, or beyond it: deeper than its radius.
+    /// Whether a strand at this `gap` is inside or beyond a body that it was outside of when the step began: deeper than its
+    /// radius.
     pub fn is_behind(&self, gap: f64) -> bool {
         matches!(self.kind, ConstraintKind::Body { margin, .. } if !self.deep && gap < -margin.max(LEAST_MARGIN))
     }
 
-    /// Whether the force holds surfaces together, as an iteration may leave it that is not at its end. A constraint's may.
+    /// Whether the force pulls the surfaces together, as an unconverged iteration may leave it. False for bilateral
+    /// constraints, whose force has any sign.
     pub fn draws(&self) -> bool {
         match self.kind {
             ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. } => self.force.dot(&normal) < 0.0,
@@ -223,7 +227,7 @@ impl StepConstraint {
         self.pressure() > 0.0
     }
 
-    /// How hard the surfaces press each other under the present force, N; zero where they draw, and of a constraint.
+    /// Normal force between the surfaces, N; zero if it pulls, and for bilateral constraints.
     pub fn pressure(&self) -> f64 {
         match self.kind {
             ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. } => self.force.dot(&normal).max(0.0),
@@ -231,12 +235,12 @@ impl StepConstraint {
         }
     }
 
-    /// Whether it is a touch, not a constraint.
+    /// Whether it is a contact.
     pub fn is_contact(&self) -> bool {
         matches!(self.kind, ConstraintKind::Body { .. } | ConstraintKind::Hair { .. })
     }
 
-    /// From centre to centre where the surfaces of a touch just meet, m, zero or above; zero of a constraint.
+    /// Distance of the centrelines at which the surfaces of a contact meet, m, zero or above; zero for a bilateral constraint.
     pub fn margin(&self) -> f64 {
         match self.kind {
             ConstraintKind::Body { margin, .. } | ConstraintKind::Hair { margin, .. } => margin.max(0.0),
@@ -244,7 +248,7 @@ impl StepConstraint {
         }
     }
 
-    /// Whether both are touches of the same strand with the same partner.
+    /// Whether both are contacts of the same strand with the same partner.
     pub fn is_with(&self, other: &StepConstraint) -> bool {
         self.first.strand == other.first.strand
             && match (self.kind, other.kind) {
@@ -256,8 +260,8 @@ impl StepConstraint {
             }
     }
 
-    /// How unlike the surfaces of two touches that are [`StepConstraint::is_with`] each other are: one less the cosine between their normals; zero
-    /// of hair.
+    /// Difference of the surfaces of two contacts with the same partner ([`StepConstraint::is_with`]): one minus the cosine of
+    /// their normals; zero between strands.
     pub fn turned(&self, other: &StepConstraint) -> f64 {
         match (self.kind, other.kind) {
             (ConstraintKind::Body { normal: a, .. }, ConstraintKind::Body { normal: b, .. }) => 1.0 - a.dot(&b),
@@ -265,8 +269,8 @@ impl StepConstraint {
         }
     }
 
-    /// Whether `found` is a face of a crease that this touch began on and left for the other face when it was looked at again: both hold
-    /// the point.
+    /// Whether this contact began on the face `found` of a crease and went to the other face at a later look: both faces then
+    /// constrain the point.
     pub fn has_left(&self, found: &StepConstraint) -> bool {
         match (self.kind, found.kind) {
             (ConstraintKind::Body { side, .. }, ConstraintKind::Body { normal, .. }) => {
@@ -276,7 +280,7 @@ impl StepConstraint {
         }
     }
 
-    /// The constraint that it is of.
+    /// The scene's bilateral constraint that it belongs to.
     pub fn bilateral(&self) -> Option<u32> {
         match self.kind {
             ConstraintKind::Pin { bilateral, .. }
@@ -286,7 +290,8 @@ impl StepConstraint {
         }
     }
 
-    /// The law, and the relative displacement at the present iterate. `contact`: what the ends' strands are to contact.
+    /// The law, and the relative displacement at the present iterate. `contact`: contact properties of the strands at both
+    /// ends.
     pub fn evaluate(
         &mut self,
         ends: [EndState; 2],
@@ -348,8 +353,8 @@ impl StepConstraint {
         }
     }
 
-    /// The axes that a pin holds. A lever that is held across a direction may lie against it too: one that is far off is drawn to its very
-    /// end.
+    /// The axes that a pin constrains. A lever that is constrained across a direction could lie against that direction; one
+    /// that is far off is therefore pulled in by its end.
     fn pinned(&self, axes: ConstrainedAxes, off: &Vector3<f64>) -> ConstrainedAxes {
         let lever = Vector3::from(self.first.material_point.lever).norm();
         match axes {
@@ -360,7 +365,7 @@ impl StepConstraint {
         }
     }
 
-    /// What it holds to the world without giving way, with its first end at `now`.
+    /// The rigid constraint that it is between its first end, at `now`, and the world; `None` if it yields or has two ends.
     pub fn world_constraint(&self, now: &Vector3<f64>) -> Option<WorldConstraint> {
         let ConstraintKind::Pin { target, axes, compliance: 0.0, .. } = self.kind else { return None };
         if self.give != Give::No {
@@ -379,8 +384,8 @@ impl StepConstraint {
         })
     }
 
-    /// Viscous friction of a touch that rubs. The coefficient is that of the way it slides at the present iterate: which way that is hardly
-    /// depends on it, so that Newton's iteration finds both at once, and the law is linear meanwhile.
+    /// Viscous friction. The coefficient is that of the present direction of sliding. The direction hardly depends on the
+    /// coefficient, so that Newton's iteration finds both at once, and the law is linear meanwhile.
     fn viscous(&self, coefficient: Coefficient, normal: Vector3<f64>, slip: Vector3<f64>) -> Friction {
         if self.rubs == 0.0 {
             return Friction::None;
@@ -412,8 +417,8 @@ impl StepConstraint {
             ContactModel::RegularisedPenalty => {
                 (Response::Regularised { stiffness: options.stiffness, depth: options.regularisation_depth }, 0.0)
             }
-            // What is in each other at the start is parted at a limited speed. (Of other touches `start_gap` says nothing: along a curved
-            // surface it is that of the start's place under the tangent plane at the end.)
+            // Initial overlap is removed at a limited speed. (For other contacts `start_gap` means nothing: on a curved surface
+            // it is the gap of the initial point from the final tangent plane.)
             ContactModel::Coulomb if self.deep => (Response::Hard, (start_gap + options.separation_speed * step).min(0.0)),
             ContactModel::Coulomb => (Response::Hard, 0.0),
         };

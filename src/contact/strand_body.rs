@@ -1,8 +1,9 @@
-//! Strand against body: where a strand's elements touch a body, or soon may.
+//! Contacts of a strand's elements with a body.
 //!
-//! Along an element the body's signed distance is a function of arclength. Its minima are found between nodes, from its values and slopes
-//! there, and refined on the exact helix; what overlaps a mesh between them is seen to triangle by triangle (`undetected_overlap.rs`). Where a piece
-//! of the element may have gone through the body within the step, its way is swept (`body_sweep.rs`), and the side that it came from counts.
+//! Along an element the body's signed distance is a function of arclength. Its minima are found between nodes, from its values
+//! and slopes there, and refined on the exact helix; overlap of a mesh between them is searched for triangle by triangle
+//! (`undetected_overlap.rs`). Where a piece of the element may have passed through the body within the step, its motion is
+//! swept (`body_sweep.rs`), and the side from which it came counts.
 
 use std::cell::Cell;
 
@@ -18,30 +19,31 @@ use super::ground::{Ground, Node, sample};
 use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
 use super::undetected_overlap;
 
-/// How much deeper than an element's end or its neighbour a minimum must be to count as a touch of its own, and to what it is found, m:
-/// once the touches are resolved, nothing in between is deeper than about twice this.
+/// How much deeper than an element's end or its neighbour a minimum must be to count as a contact of its own, and to what it is found, m:
+/// once the contacts are resolved, nothing in between is deeper than about twice this.
 const PROMINENCE: f64 = 1e-6;
 
-/// An end of an element from which the distance falls more steeply than this is no touch.
+/// An end of an element from which the distance falls more steeply than this is no contact.
 const STEEP: f64 = 0.5;
 
-/// Most pieces into which an element is cut.
+/// The largest number of pieces of an element.
 const MAX_PIECES: usize = 64;
 
-/// How often a piece is halved where its ends do not tell what lies between.
+/// How often a piece is halved if its ends do not determine what lies between.
 const DEEPEST_SPLIT: usize = 3;
 
-/// The tree of a mesh is asked for a box larger than an element needs by this share of its length, so that the answer holds for a while.
+/// The tree of a mesh is searched in a box larger than an element needs by this fraction of its length, so that the result is
+/// valid for a while.
 const MARGIN: f64 = 0.3;
 
-/// Which part of a strand is touched.
+/// The part of a strand that takes part in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Span {
-    /// Arclength from the root, m, over which nothing is touched: the part in and about the follicle.
+    /// Arclength from the root, m, without contact: the part in and about the follicle.
     pub exempt: f64,
 }
 
-/// Boxes of a strand's way through a step. Made once an iterate, asked by all bodies.
+/// Boxes of a strand's motion through a step. Made once per iterate, used for all bodies.
 #[derive(Debug, Clone)]
 pub struct PathBounds {
     /// Of all of it, world.
@@ -56,7 +58,7 @@ impl Default for PathBounds {
 }
 
 impl PathBounds {
-    /// Brings the boxes to a path.
+    /// Updates the boxes to a path.
     pub fn update(&mut self, path: &StrandPath) {
         self.elements.clear();
         self.whole = Bounds::EMPTY;
@@ -113,12 +115,14 @@ impl BodySearchScratch {
     }
 }
 
-/// Finds where a strand touches a body at the present iterate, or is nearer than `within` (m) to it, and adds the touches to `out`, sorted
-/// by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Nothing is allocated once the lists have grown.
+/// Finds the contacts of a strand with a body at the present iterate, up to a gap of `within` (m), and appends them to `out`,
+/// sorted by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Nothing is allocated once the
+/// lists have grown.
 ///
-/// Every local minimum of the distance along an element is a touch, and every end of an element that is near enough and not steep above a
-/// nearer place (the end between two elements belongs to the first). A strand that went through the body during the step touches it from the side that it came from, with a
-/// negative gap. Distances are signed: a strand inside a solid is touched at any depth.
+/// Every local minimum of the distance along an element is a contact, and every end of an element that is near enough and not
+/// steep above a nearer point (the end between two elements belongs to the first). A strand that passed through the body during
+/// the step is in contact from the side from which it came, with a negative gap. Distances are signed: a strand inside a solid
+/// is in contact at any depth.
 #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
 pub fn contacts(
     path: &StrandPath,
@@ -152,10 +156,11 @@ pub fn contacts(
     }
 }
 
-/// How far the ways of points of a strand, straight in the body's turning axes, may leave those in the world, m.
+/// How far the paths of a strand's points that are straight in the body's turning axes may leave those straight in the world,
+/// m.
 ///
-/// With a and b a point's places at start and end from the body's origin there, and θ the turn, the two differ at the fraction τ of the step by
-/// τ(1−τ) θ×(a−b) to first order in θ, and by at most θ²/8 max(|a|, |b|) beyond.
+/// With a and b a point's positions at start and end relative to the body's origin there, and θ the rotation, the two differ at
+/// the fraction τ of the step by τ(1−τ) θ×(a−b) to first order in θ, and by at most θ²/8 max(|a|, |b|) beyond.
 fn turning_slack(bounds: &PathBounds, body: &BodyAt) -> f64 {
     if body.turn == 0.0 {
         return 0.0;
@@ -173,7 +178,7 @@ struct Search<'a, 'b> {
     within: f64,
     /// Whether the last node looked at lies inside the solid, if that is known.
     inside: Option<bool>,
-    /// Whether the element is the first that may touch: its left end is nobody's right end.
+    /// Whether the element is the first that takes part in contact: its left end is no element's right end.
     first: bool,
     scratch: &'b mut BodySearchScratch,
     out: &'b mut Vec<ContactPoint>,
@@ -186,7 +191,7 @@ impl Search<'_, '_> {
         let mesh = shape.mesh();
         let (centre, ball) = path.ball();
         let far = self.thickness + self.within + ball;
-        // All of the element on all of its way.
+        // All of the element during all of its motion.
         let clear = match &shape.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds().distance(&centre) > far,
             _ => shape.distance(centre, far) >= far,
@@ -196,7 +201,7 @@ impl Search<'_, '_> {
             return;
         }
         let piece = self.place_nodes(&path, low, high);
-        // The distance at places that are themselves farther than the limit tells where it falls.
+        // Distances beyond the limit show where the distance falls.
         let reach = self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * piece };
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
         let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
@@ -240,7 +245,7 @@ impl Search<'_, '_> {
         (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
     }
 
-    /// Picks the triangles near the element: those that the ends of its pieces are asked for, and, if it is swept, those on its way.
+    /// Picks the triangles near the element: those near the ends of its pieces, and, if it is swept, those near its paths.
     fn gather(&mut self, mesh: &Mesh, index: usize, piece: f64, reach: f64, sagitta: f64, swept: bool) {
         let nodes = &self.scratch.nodes;
         let (first, last) = (nodes[0].now, nodes[nodes.len() - 1].now);
@@ -257,7 +262,7 @@ impl Search<'_, '_> {
         *self.scratch.region(self.body.index, index) = region;
     }
 
-    /// Cuts the element into pieces that bend by little and are no longer than the body's features; their length.
+    /// Cuts the element into pieces that bend little and are no longer than the body's features; returns their length.
     fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;
@@ -275,18 +280,20 @@ impl Search<'_, '_> {
         length / count as f64
     }
 
-    /// Adds the minima between nodes and the ends.
+    /// Adds the minima between nodes, and the ends.
     fn minima(&mut self, index: usize, ground: &Ground, path: &ElementPath, nodes: &[Node]) {
         let limit = self.thickness + self.within;
         let (left, right) = (nodes[0], nodes[nodes.len() - 1]);
-        // From a steep end it falls to something that is nearer or deeper: the end is held by that, and must not be pushed along the strand.
+        // From a steep end the distance falls to something nearer or deeper, which constrains the end: it must not be pushed
+        // along the strand.
         let held = |sample: &Sample<Surface>, falls: bool| sample.value < limit && !(falls && sample.slope.abs() > STEEP);
         if self.first
             && let Some(sample) = left.sample.filter(|sample| held(sample, sample.slope < 0.0))
         {
             self.add(index, &sample);
         }
-        // A minimum counts when it lies lower than the touch to its left, or beyond a crest; the left end is the element before's touch.
+        // A minimum counts if it is lower than the contact to its left, or beyond a crest; the left end is the previous
+        // element's contact.
         let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
         let mut crest = before;
         let mut added = 0;
@@ -296,7 +303,7 @@ impl Search<'_, '_> {
         let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
             close_to(ground, path, pair, limit, &mut close);
-            // Between places outside nothing is looked for deep inside, unless the surface is between them.
+            // Between points outside nothing is searched for deep inside, unless the surface is between them.
             let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
             let outside = out(&pair[0]) && out(&pair[1]) && !ground.is_pierced(&pair[0].now, &pair[1].now);
             let inside = outside.then_some(false);
@@ -309,7 +316,7 @@ impl Search<'_, '_> {
             pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
             while let Some(Piece { ends, samples, depth }) = pieces.pop() {
                 let length = ends[1] - ends[0];
-                // The slope is at most 1; where nothing was found the surface is farther than the reach.
+                // The slope is at most 1; where nothing was found the surface is further away than the reach.
                 let value = |end: usize| samples[end].map_or(ground.reach, |sample| sample.value);
                 crest = crest.max(value(0));
                 if samples[0].is_none() {
@@ -320,7 +327,7 @@ impl Search<'_, '_> {
                 }
                 let falls_and_rises = matches!(samples, [Some(a), Some(b)] if a.slope < 0.0 && b.slope >= 0.0);
                 let (Some(a), Some(b), true) = (samples[0], samples[1], falls_and_rises) else {
-                    // Where the mean slope is none between those at the ends, there is more to it than they tell.
+                    // Where the mean slope is not between those at the ends, these do not determine the distance.
                     let told = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
                         let mean = (b.value - a.value) / length;
                         mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3
@@ -351,7 +358,7 @@ impl Search<'_, '_> {
         (self.scratch.pieces, self.scratch.close) = (pieces, close);
         let tip = index + 1 == self.path.now.elements.len();
         if let Some(sample) = right.sample.filter(|sample| held(sample, !tip || sample.slope > 0.0)) {
-            // A minimum from which it rises to the end by nothing that counts is the end's own.
+            // A minimum from which the distance rises to the end by less than counts is the end's own.
             if added > 0 && crest.max(sample.value) - before < PROMINENCE {
                 self.out.pop();
             }
@@ -360,7 +367,7 @@ impl Search<'_, '_> {
         for place in 0..self.scratch.more.len() {
             let found = self.scratch.more[place];
             let gap = found.value - self.thickness;
-            // A deeper touch close by is worth more; what is left then is found when that is resolved.
+            // A deeper contact close by is worth more; what is left then is found when that is resolved.
             let seen = self.out[from..].iter().any(|contact| {
                 let off = (contact.point.s - found.s).abs();
                 off < 2e-3 && contact.gap <= gap || off < 2e-4 && contact.gap <= gap + undetected_overlap::TOLERANCE
@@ -371,7 +378,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Takes down what overlaps between two nodes on triangles that have no touch there.
+    /// Adds overlap between two nodes with triangles that have no contact there.
     fn add_undetected_overlaps(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
         for ball in close {
             // A triangle has one minimum.
@@ -400,7 +407,7 @@ impl Search<'_, '_> {
         });
     }
 
-    /// Sees to it that a piece of strand that ran into the body stays on the side that it came from.
+    /// Keeps a piece of strand that ran into the body on the side from which it came.
     #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
     fn keep_side(&mut self, index: usize, path: &ElementPath, piece: f64, from: usize, s: f64, hit: &Surface, ground: &Ground) {
         /// Cosine of the angle up to which the nearest surface's normal counts as that of the side that was hit.
@@ -410,9 +417,9 @@ impl Search<'_, '_> {
         if gap >= self.within {
             return;
         }
-        // It is still on the side that it came from where the nearest surface is much like the one that it ran into; outside, even where a
-        // corner lies between: hair that is drawn round a chin goes through it on the straight way of a step. How deep it is the nearest
-        // surface tells then, not the plane of where it was hit.
+        // It is still on its side where the nearest surface is much like the one that was hit; outside, even where a corner
+        // lies between: hair that is drawn round a chin cuts through it on the straight path of a step. Its depth is then that
+        // of the nearest surface, not that of the plane at the hit.
         let nearest = ground.ask(|| path.start.at(s).0, now, None).filter(|nearest| {
             let same = nearest.normal.dot(&hit.normal);
             same >= ALIKE || same > 0.0 && nearest.distance >= self.thickness
@@ -437,11 +444,11 @@ impl Search<'_, '_> {
                 let is_beside = |out: &[ContactPoint], gap: f64| {
                     out.iter().any(|contact| (contact.point.s - s).abs() <= piece && contact.gap <= 0.5 * gap)
                 };
-                // Outside there is none but those that are near.
+                // Outside the only contacts are near ones.
                 if gap < 0.0 && !is_beside(&self.out[from..], gap) {
                     self.push(index, s, &nearest, gap);
                 }
-                // What is deeper in the body, up to its far side, came with it: the plane that was hit holds it off.
+                // What is deeper in the body, up to its far side, came with it: the plane at the hit separates it.
                 if let Some(lost) = deepest.filter(|lost| lost.gap < gap.min(0.0) && !is_beside(&self.out[from..], lost.gap)) {
                     let gap = hit.normal.dot(&(path.now.at(lost.point.s).0 - hit.point)) - self.thickness;
                     if gap < 0.0 {
@@ -454,7 +461,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// Picks the triangles of a mesh that can be nearest to a place between two nodes.
+/// Picks the triangles of a mesh that can be nearest to a point between two nodes.
 fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, close: &mut Vec<Ball>) {
     close.clear();
     let Some(mesh) = ground.mesh else { return };
@@ -466,7 +473,7 @@ fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, clo
     }
     let sagitta = 0.125 * path.now.bend() * length * length;
     let mut radius = limit + sagitta;
-    // Along the chord the distance to one triangle is convex, so that it is nowhere farther than at the farther end.
+    // Along the chord the distance to one triangle is convex, so that it is nowhere larger than at the further end.
     for (here, there) in [(left, right), (right, left)] {
         if let Some(sample) = here.sample {
             let there = mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt();

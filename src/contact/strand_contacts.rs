@@ -1,7 +1,7 @@
-//! Where two strands touch, or soon may: from pairs of their pieces, exact on the helices.
+//! Contacts between two strands, from pairs of their pieces, exact on the helices.
 //!
-//! Every local minimum of the distance is a touch. Where the strands lie along each other a minimum may be anywhere, so that the ends of each
-//! overlap are touches as well: two of them keep the strands from rocking about one.
+//! Every local minimum of the distance is a contact. Where the strands lie along each other a minimum may be anywhere, so that
+//! the ends of each overlap are contacts as well: two of them keep the strands from rocking about one.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -11,10 +11,10 @@ use super::pieces::{Piece, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::sides::keep_sides;
 
-/// Touches nearer to each other along both strands than this share of the sum of the radii are one.
+/// Contacts closer to each other along both strands than this fraction of the sum of the radii are one.
 const MERGED: f64 = 0.25;
-/// Centrelines that come nearer than this share of the sum of the radii while their normal turns round have crossed; centrelines that
-/// were nearer when the step began were inside each other, and have no side to keep.
+/// Centrelines that come closer than this fraction of the sum of the radii while their normal turns round have crossed;
+/// centrelines that were closer when the step began were inside each other, and have no side to keep.
 const CROSSED: f64 = 0.5;
 
 /// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
@@ -22,8 +22,8 @@ const ALONG: f64 = 0.0625;
 /// The same between chords of pieces that have such tangents somewhere: half a piece's bend more to either side, sin² 0.75.
 const MAX_CHORDS: f64 = 0.47;
 
-/// A piece and where its ends are at the step's start and now, world, m. The start is told as the motion that all strands share has
-/// carried it along, so that what all strands do together is no motion.
+/// A piece and the positions of its ends at the start of the step and now, world, m. The start is carried along by the common
+/// motion of all strands, which therefore does not count as motion.
 #[derive(Debug, Clone, Copy)]
 pub struct MovingPiece<'a> {
     /// The piece.
@@ -32,7 +32,7 @@ pub struct MovingPiece<'a> {
     pub start: [Vector3<f64>; 2],
     /// Both ends at the present iterate.
     pub now: [Vector3<f64>; 2],
-    /// How far it is off its chord, then or now, m.
+    /// The larger distance from its chord, then or now, m.
     pub sagitta: f64,
 }
 
@@ -50,41 +50,41 @@ impl MovingPiece<'_> {
     }
 }
 
-/// How far the points of one piece go against those of another between the step's start and now, at most, m.
+/// The largest motion of points of one piece relative to those of another between the start of the step and now, m.
 pub(super) fn relative_motion(a: [Vector3<f64>; 2], b: [Vector3<f64>; 2]) -> f64 {
     let of = |i: usize, j: usize| (a[i] - b[j]).norm_squared();
     of(0, 0).max(of(0, 1)).max(of(1, 0)).max(of(1, 1)).sqrt()
 }
 
-/// A touch and what its neighbours need to know of it.
+/// A contact and what its neighbours need to know of it.
 #[derive(Debug, Clone, Copy)]
 struct Found {
     contact: ContactPoint,
     along: [f64; 2],
-    /// The strands crossed here, and the touch keeps the start's side.
+    /// The strands crossed here, and the contact keeps the initial side.
     crossed: bool,
 }
 
-/// Memory of one thread's search for touches.
+/// Memory of one thread's search for contacts.
 #[derive(Debug, Default)]
 pub struct PairScratch {
     found: Vec<Found>,
 }
 
-/// Two strands that may touch.
+/// Two strands that may be in contact.
 #[derive(Debug, Clone, Copy)]
 pub struct TwoStrands<'a> {
-    /// The first, whose touches are told.
+    /// The first, whose contacts are found.
     pub a: &'a StrandPath<'a>,
     /// Its partner.
     pub b: &'a StrandPath<'a>,
-    /// The first's radius and so on.
+    /// The first's wisp.
     pub wisp_a: &'a Wisp,
     /// The partner's.
     pub wisp_b: &'a Wisp,
-    /// Gaps up to this are touches, m, zero or above.
+    /// Gaps up to this are contacts, m, zero or above.
     pub within: f64,
-    /// The turn of the motion since the step's start that all strands share.
+    /// The rotation of the common motion of all strands since the start of the step.
     pub turned: Matrix3<f64>,
 }
 
@@ -93,8 +93,8 @@ impl TwoStrands<'_> {
         self.wisp_a.radius + self.wisp_b.radius
     }
 
-    /// Writes the touches of the strands after what `out` holds, by arclength of the first (and then of the partner). `candidates` are the
-    /// pairs of pieces that may touch, in any order that does not change from call to call.
+    /// Appends the contacts of the strands to `out`, by arclength of the first (and then of the partner). `candidates` are the
+    /// pairs of pieces that may be in contact, in any order that does not change from call to call.
     pub fn contacts<'p>(
         &self,
         candidates: impl Iterator<Item = (MovingPiece<'p>, MovingPiece<'p>)>,
@@ -130,7 +130,7 @@ impl TwoStrands<'_> {
         // Where the chords cross at more than this no tangents of theirs lie along each other.
         let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
         let may_lie_along = line_a.cross(&line_b).norm_squared() <= MAX_CHORDS * line_a.norm_squared() * line_b.norm_squared();
-        // Arcs along each other may be bowed towards each other: one more nearest place, where the chords do not show it.
+        // Arcs along each other may be bowed towards each other: a second nearest place, where the chords do not show it.
         let mut second = None;
         if may_lie_along && let Some(start) = middle_of_overlap(a, b, (radii + self.within).max(motion + inside) + sagittas) {
             let other = closest(&arc_a, &arc_b, along_pieces(start, a, b), [false; 2]);
@@ -144,7 +144,7 @@ impl TwoStrands<'_> {
         if !close(&near) && side.is_none() {
             return;
         }
-        // Where the distance is the same all along, the middle is no place of its own: the ends will do.
+        // Where the distance is constant the middle is no contact of its own: the ends suffice.
         for pair in [Some(near), second.filter(|pair| !pair.is_flat())].into_iter().flatten() {
             if side.is_some() || (close(&pair) && !goes_on(&pair, 0, a) && !goes_on(&pair, 1, b)) {
                 self.add(a, b, &pair, side, found);
@@ -154,8 +154,8 @@ impl TwoStrands<'_> {
             for end in [0, 1] {
                 let (this, that) = ([a, b][held], [a, b][1 - held]);
                 let continued = this.piece.continued[end];
-                // A piece's second end is the next piece's first one, which looks for itself. A strand's end may be nearest in its own
-                // right, beside another nearest place of the same pieces.
+                // A piece's second end is the next piece's first one, which is searched by itself. A strand's end may be
+                // nearest in its own right, beside another nearest place of the same pieces.
                 if continued && (end == 1 || !may_lie_along) {
                     continue;
                 }
@@ -183,7 +183,8 @@ impl TwoStrands<'_> {
         }
     }
 
-    /// The start's normal, where the centrelines crossed since: the normal turned round, and they came nearer than half touching.
+    /// The initial normal, if the centrelines have crossed since: the normal turned round, and they came closer than half the
+    /// sum of the radii.
     fn side_kept(&self, a: &MovingPiece, b: &MovingPiece, near: &PointPair, motion: f64) -> Option<Vector3<f64>> {
         let inside = CROSSED * self.radii();
         if near.apart.norm() > motion + inside {
@@ -197,7 +198,7 @@ impl TwoStrands<'_> {
         if distance < inside || distance > motion + inside || apart.dot(&near.apart) > 0.0 {
             return None;
         }
-        // Whether the chords come near each other on the way: no time is passed over in which they could.
+        // Whether the chords come near each other on the way; no time in which they could is skipped.
         let least = inside.min(0.5 * distance) + a.sagitta + b.sagitta;
         let mut t = 0.0;
         while t <= 1.0 {
@@ -236,14 +237,15 @@ impl TwoStrands<'_> {
     }
 }
 
-/// The ways between two pieces' chords where they are nearest, at the step's start and now, where that is at `now` (0 to 1 along each).
+/// The offsets between two pieces' chords where they are nearest, at the start of the step and now, where that is at `now` (0
+/// to 1 along each).
 fn ways_apart(a: &MovingPiece, b: &MovingPiece, now: [f64; 2]) -> [Vector3<f64>; 2] {
     let before = closest_of_segments([&a.start[0], &a.start[1]], [&b.start[0], &b.start[1]]);
     let apart = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2], [t, u]: [f64; 2]| a[0].lerp(&a[1], t) - b[0].lerp(&b[1], u);
     [apart(&a.start, &b.start, [before.t, before.u]), apart(&a.now, &b.now, now)]
 }
 
-/// Where the middle of what the chords share is on each, if it is not farther apart than `farthest`.
+/// The middle of the common length of the chords, on each, if it is no further apart than `farthest`.
 fn middle_of_overlap(a: &MovingPiece, b: &MovingPiece, farthest: f64) -> Option<[f64; 2]> {
     let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
     let (long_a, long_b) = (line_a.norm_squared().max(f64::MIN_POSITIVE), line_b.norm_squared().max(f64::MIN_POSITIVE));
@@ -261,16 +263,18 @@ fn along_pieces(t: [f64; 2], a: &MovingPiece, b: &MovingPiece) -> [f64; 2] {
     [of(t[0], a.piece.s), of(t[1], b.piece.s)]
 }
 
-/// Whether the distance goes on falling beyond the end of a piece where its strand goes on: the next piece has what is nearer still.
+/// Whether the distance goes on falling beyond the end of a piece where its strand goes on: then the next piece has the
+/// contact.
 fn goes_on(near: &PointPair, which: usize, piece: &MovingPiece) -> bool {
-    // Half a squared distance that falls by less than this is rounding: both pieces keep the point, and one of the two goes in `merge`.
+    // Half a squared distance that falls by less than this is rounding: both pieces keep the point, and `merge` drops one of
+    // the two.
     let slight = 1e-7 * near.apart.norm();
     let (s, slope) = (near.s[which], near.slope[which]);
     let [first, last] = piece.piece.s;
     (s <= first && slope > slight && piece.piece.continued[0]) || (s >= last && slope < -slight && piece.piece.continued[1])
 }
 
-/// Touches beside a crossing lie on the same side as it: their pieces may have come near after it.
+/// Contacts beside a crossing lie on the same side as it: their pieces may have come near after it.
 fn keep_sides_beside(found: &mut [Found], radii: f64) {
     for index in 0..found.len() {
         if found[index].crossed {
@@ -290,7 +294,7 @@ fn keep_sides_beside(found: &mut [Found], radii: f64) {
     }
 }
 
-/// Of touches nearer than `least` along both strands the one that crossed, or is deepest, stays. Sorted before and after.
+/// Of contacts closer than `least` along both strands the one that crossed, or is deepest, stays. Sorted before and after.
 fn merge(found: &mut Vec<Found>, least: f64) {
     let better = |x: &Found, y: &Found| (x.crossed && !y.crossed) || (x.crossed == y.crossed && x.contact.gap < y.contact.gap);
     let mut kept = 0;
@@ -302,7 +306,7 @@ fn merge(found: &mut Vec<Found>, least: f64) {
             }
             if (this.along[1] - found[before].along[1]).abs() <= least {
                 if better(&this, &found[before]) {
-                    // Taken out and put at the end, where it belongs by arclength.
+                    // Removed and put at the end, where it belongs by arclength.
                     found.copy_within(before + 1..kept, before);
                     found[kept - 1] = this;
                 }

@@ -1,10 +1,10 @@
-//! The parts of a large problem, a binary tree: strands are in parts of the lowest level, two of these make one of the level above, and the
-//! highest part is the whole. A touch is in the smallest part that has all its strands, so that parts of one level can be swept side by
-//! side once those below are. Parts are numbered level by level, the lowest first.
+//! The subdomains of a large problem, a binary tree: strands are in subdomains of the lowest level, two of these make one of
+//! the level above, and the highest one is the whole. A contact is in the smallest subdomain that has all its strands, so that
+//! subdomains of one level can be swept side by side after those below. They are numbered level by level, the lowest first.
 
 use std::ops::Range;
 
-/// Where parts end, in lists that have them in order. Nothing: the problem is one part.
+/// The ends of subdomains in lists sorted by them. Empty: the problem is one subdomain.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Subdomains {
     coordinates: Vec<usize>,
@@ -12,7 +12,8 @@ pub(super) struct Subdomains {
 }
 
 impl Subdomains {
-    /// Says where the coordinates of every part of the lowest level end, a power of two of them, and the touches of every part.
+    /// Sets the ends of the coordinates of every lowest subdomain, a power of two of them, and of the contacts of every
+    /// subdomain.
     pub(super) fn set(&mut self, coordinate_ends: impl Iterator<Item = usize>, constraint_ends: &[usize]) {
         self.coordinates.clear();
         self.coordinates.extend(coordinate_ends);
@@ -21,23 +22,23 @@ impl Subdomains {
         assert!(self.lowest().is_power_of_two() && self.constraints.len() == 2 * self.lowest() - 1, "{self:?}");
     }
 
-    /// Makes the problem one part.
+    /// Makes the problem one subdomain.
     pub(super) fn clear(&mut self) {
         self.coordinates.clear();
         self.constraints.clear();
     }
 
-    /// How many parts the lowest level has.
+    /// The number of lowest subdomains.
     pub(super) fn lowest(&self) -> usize {
         self.coordinates.len().max(1)
     }
 
-    /// Where the coordinates of every part of the lowest level end, of `all`.
+    /// The ends of the coordinates of every lowest subdomain, of `all`.
     pub(super) fn coordinate_ends(&self, all: usize) -> impl Iterator<Item = usize> {
         ends(&self.coordinates, all)
     }
 
-    /// Where the touches of every part end, of `all`.
+    /// The ends of the contacts of every subdomain, of `all`.
     pub(super) fn constraint_ends(&self, all: usize) -> impl Iterator<Item = usize> {
         ends(&self.constraints, all)
     }
@@ -47,7 +48,7 @@ fn ends(ends: &[usize], all: usize) -> impl Iterator<Item = usize> {
     ends.iter().copied().chain(ends.is_empty().then_some(all))
 }
 
-/// The levels of so many lowest parts, the lowest first: the parts of each.
+/// The levels for this number of lowest subdomains, the lowest first: the subdomains of each.
 pub(super) fn levels(lowest: usize) -> impl Iterator<Item = Range<usize>> {
     (0..=lowest.ilog2()).map(move |level| {
         let first = 2 * lowest - ((2 * lowest) >> level);
@@ -55,12 +56,12 @@ pub(super) fn levels(lowest: usize) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
-/// The parts of the lowest level that a part consists of, which is the `k`-th of its level.
+/// The lowest subdomains in the `k`-th subdomain of a level.
 pub(super) fn lowest_of(level: usize, k: usize) -> Range<usize> {
     k << level..(k + 1) << level
 }
 
-/// The smallest of the parts above (or among) `lowest` ones that has both of these.
+/// The smallest subdomain above (or among) the `lowest` ones that includes both of these.
 pub(super) fn smallest(lowest: u32, ends: [Option<u32>; 2]) -> u32 {
     let (a, b) = match ends {
         [Some(a), Some(b)] => (a, b),

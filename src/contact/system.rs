@@ -1,5 +1,5 @@
-//! The contact-space problem made ready for iteration: bonds eliminated, every touch's own response and law worked out, displacements kept
-//! up to date force by force.
+//! The contact-space problem prepared for iteration: bilateral constraints eliminated, every contact's own response and law
+//! computed, displacements kept up to date force by force.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -7,22 +7,22 @@ use super::bilateral_elimination::BilateralElimination;
 use super::contact_space::{ContactSpace, End, add_columns, read, read_block};
 use super::law::{Law, LawSolve};
 
-/// An end of a touch, found in the matrices.
+/// An end of a constraint, located in the matrices.
 #[derive(Debug, Clone, Copy)]
 pub struct Slot {
-    /// Its block's coordinates among all: first and how many.
+    /// Its block's first coordinate, and the number of them.
     pub base: usize,
     /// See `base`.
     pub size: usize,
-    /// Its own first coordinate among all.
+    /// Its own first coordinate.
     pub at: usize,
-    /// The block's matrix is one of those left by the elimination of bonds, not a strand's own.
+    /// The block's matrix is one of those left by the elimination of bilateral constraints, not a strand's own.
     pub reduced: bool,
-    /// Where the block's matrix begins.
+    /// Start of the block's matrix.
     pub matrix: usize,
 }
 
-/// A contact or a ring, ready.
+/// A contact or a ring, prepared.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
     /// Its index in the problem.
@@ -31,39 +31,40 @@ pub struct Row {
     pub first: Slot,
     /// Where −λ acts.
     pub second: Option<Slot>,
-    /// Its law's solve.
+    /// The solve of its law.
     pub solve: LawSolve,
-    /// Displacement without the forces of any contact or ring (bonds hold), m.
+    /// Displacement without the forces of any contact or ring (bilateral constraints act), m.
     pub unconstrained: Vector3<f64>,
     /// Its own response W, m/N.
     pub response: Matrix3<f64>,
 }
 
-/// The problem, ready. Its memory is kept from one use to the next.
+/// The prepared problem. Its memory is kept from one use to the next.
 #[derive(Debug, Clone, Default)]
 pub struct System {
     /// Contacts and rings in the problem's order.
     pub rows: Vec<Row>,
-    /// Displacements of all touched points under the rows' forces.
+    /// Displacements of all attached points under the rows' forces.
     pub displacements: Vec<f64>,
-    /// The bonds' part.
+    /// The eliminated bilateral constraints.
     pub bilateral: BilateralElimination,
-    /// Blocks (strands, or strands that bonds join) with rows, ascending: where their rows begin in `block_rows`.
+    /// Blocks (strands, or strands joined by bilateral constraints) with rows, ascending: where their rows begin in
+    /// `block_rows`.
     blocks: Vec<u32>,
     block_rows: Vec<u32>,
     /// (first coordinate of a block, row), sorted.
     members: Vec<(usize, u32)>,
 }
 
-/// What a sweep takes for a row, and for each coordinate that its force displaces, nanoseconds or so.
+/// Cost of a row in a sweep, and of each coordinate that its force displaces, nanoseconds or so.
 const SWEEP_A_ROW: u64 = 150;
 const SWEEP_A_COORDINATE: u64 = 2;
 
-/// A touch whose points bonds have fixed to this part of their own response is fixed.
+/// A contact counts as fixed if bilateral constraints reduce its response to this fraction of its points' own.
 const FIXED: f64 = 1e-12;
 
 impl System {
-    /// Makes a problem ready.
+    /// Prepares a problem.
     pub fn prepare(&mut self, space: &ContactSpace) {
         self.bilateral.eliminate(space);
         self.rows.clear();
@@ -119,18 +120,18 @@ impl System {
         self.blocks.push(self.block_rows.len() as u32);
     }
 
-    /// What a sweep over all rows takes, in nanoseconds or so.
+    /// The cost of a sweep over all rows, nanoseconds or so.
     pub fn sweep_work(&self) -> u64 {
         let of = |row: &Row| row.first.size + row.second.map_or(0, |second| second.size);
         self.rows.iter().map(|row| SWEEP_A_ROW + SWEEP_A_COORDINATE * of(row) as u64).sum()
     }
 
-    /// How many blocks have rows.
+    /// The number of blocks with rows.
     pub fn blocks(&self) -> usize {
         self.blocks.len().saturating_sub(1)
     }
 
-    /// A block's rows, ascending: touches of the block, with another or not.
+    /// A block's rows, ascending: contacts of the block, with another or not.
     pub fn rows_of(&self, block: usize) -> &[u32] {
         &self.block_rows[self.blocks[block] as usize..self.blocks[block + 1] as usize]
     }
@@ -157,7 +158,7 @@ impl System {
 
     /// Displacement of a row per force at another (or itself).
     pub(super) fn coupling(&self, space: &ContactSpace, row: &Row, from: &Row) -> Matrix3<f64> {
-        // Both ends, the second a copy of the first where there is none: nothing is read that is not there.
+        // Both ends, the second a copy of the first where there is none, so that nothing beyond the lists is read.
         let ends = |row: &Row| ([row.first, row.second.unwrap_or(row.first)], 1 + usize::from(row.second.is_some()));
         let ((at, places), (force, forces)) = (ends(row), ends(from));
         let mut sum = Matrix3::zeros();
@@ -187,13 +188,13 @@ impl System {
 
 /// Displacements of a problem's coordinates, or of some.
 pub trait Displacements {
-    /// Those from a coordinate on: to its block's last at least.
+    /// The displacements from a coordinate on, at least to its block's last.
     fn rest(&self, at: usize) -> &[f64];
-    /// The same, to be changed.
+    /// The same, mutable.
     fn rest_mut(&mut self, at: usize) -> &mut [f64];
 }
 
-/// Those from a coordinate on.
+/// The displacements from a coordinate on.
 #[derive(Debug)]
 pub struct Stretch<'a> {
     /// That coordinate.
@@ -227,7 +228,7 @@ impl Displacements for Vec<f64> {
 }
 
 impl Row {
-    /// Its relative displacement where its blocks' coordinates are displaced by `displacements`.
+    /// Its relative displacement under these `displacements` of its blocks' coordinates.
     #[inline(always)]
     pub fn relative(&self, displacements: &impl Displacements) -> Vector3<f64> {
         let mut u = self.unconstrained + read(displacements.rest(self.first.at), 0);
@@ -237,7 +238,7 @@ impl Row {
         u
     }
 
-    /// Adds what a change of its force displaces to its blocks' coordinates.
+    /// Adds the displacements by a change of its force to its blocks' coordinates.
     #[inline(always)]
     pub fn push(
         &self,

@@ -1,8 +1,8 @@
-//! Where a piece of a strand overlaps a mesh between the places that were looked at.
+//! Overlap of a piece of a strand with a mesh between the sampled points, which sampling leaves undetected.
 //!
-//! Along a chord the distance to one triangle is convex, along an arc of curvature κ convex but for κ: with g(s) = d(s) − κ/2 (s−a)(b−s) its
-//! tangents at the ends bound it from below. So a triangle that is overlapped by more than the tolerance does not go unnoticed, however
-//! short the way over it.
+//! Along a chord the distance to one triangle is convex, along an arc of curvature κ convex but for κ: with g(s) = d(s) − κ/2
+//! (s−a)(b−s) its tangents at the ends bound it from below. So no triangle with an overlap of more than the tolerance goes
+//! undetected, however short the path over it.
 
 use nalgebra::Vector3;
 
@@ -11,11 +11,11 @@ use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
 use super::shape::{Ball, Surface};
 
-/// What overlaps by less is left, m: half of what a step may leave.
+/// A smaller overlap is left, m: half of what a step may leave.
 pub(super) const TOLERANCE: f64 = 5e-6;
 
-/// The place of the piece between two nodes that is nearest to a triangle, if there the surface is nearer than `thickness`. Pieces whose
-/// ends are inside are left alone: what matters there is where they come from.
+/// The point of the piece between two nodes that is nearest to a triangle, if the surface is closer than `thickness` there.
+/// Pieces whose ends are inside are left alone: for these the side from which they come decides.
 pub(super) fn find(
     ground: &Ground,
     path: &ElementPath,

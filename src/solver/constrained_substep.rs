@@ -1,15 +1,15 @@
-//! The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton
-//! iteration. Strands do the two halves of an iteration on any thread, islands solve their contact problems between them; who runs
-//! which changes no result.
+//! The substep of constrained strands: their contacts are detected, they are coupled into islands and stepped together, Newton
+//! iteration by Newton iteration. Strands do the two halves of an iteration on any thread, and islands solve their contact
+//! problems in between; no result depends on the threads.
 //!
 //! Files:
 //!
-//! - `account.rs`: What a held substep came to: how the strands fared, the list of touches, what bodies and constraints bear.
-//! - `contact_limit.rs`: How many touches a strand may have.
-//! - `formula.rs`: By which formula held strands take their step.
-//! - `packs.rs`: Held strands side by side: which go together in a pack, and each half of an iteration pack by pack.
-//! - `substeps.rs`: Strands of islands that have not come to their end take the substep again, in parts.
-//! - `tests.rs`: What a substep promises whose searches are spent before all is found.
+//! - `account.rs`: The results of a constrained substep: the outcomes of strands, the list of contacts, the loads of bodies and bilateral constraints.
+//! - `contact_limit.rs`: The largest number of contacts of a strand.
+//! - `formula.rs`: The integration formula of constrained strands.
+//! - `packs.rs`: Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
+//! - `substeps.rs`: Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they are small.
+//! - `tests.rs`: Substeps in which the limit of searches is reached before all contacts are found.
 
 mod account;
 mod contact_limit;
@@ -45,53 +45,53 @@ use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
 use packs::{Packs, Pair, Work};
 
-/// How often strands are searched for touches that the last search did not know of.
+/// The largest number of searches for undetected contacts.
 const MAX_SEARCHES: u32 = 16;
-/// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
-/// not wait for the rest to be exact. (Sooner, touches would be kept that only a first guess has: a soak's energy rose.)
+/// The first searches follow after this many Newton iterations: most new contacts are visible by then, and need not wait until
+/// the others are exact. (Sooner, contacts of a mere first guess would be kept, and the energy of long runs grows.)
 const EARLY: u32 = 2;
 const EARLY_ITERATIONS: u32 = 2;
 
-/// A strand that is cut short goes along with its root if it is further than this from its end, rad: halfway there, strands of a tangle
-/// are flung about.
+/// A strand whose iteration was cut short moves with its root if it is further from convergence than this, rad: halfway,
+/// strands of a tangle would be flung about.
 const NEAR_END: f64 = 0.03;
 
-/// What a search takes for a joint that it finds, nanoseconds or so.
+/// Cost of a constraint found by a search, nanoseconds or so.
 const WORK_A_CONSTRAINT: u64 = 3000;
 
-/// Islands of so many joints are solved by all threads together.
+/// Islands with at least this many constraints are solved by all threads together.
 const LARGE: usize = 1000;
 
-/// What the solver keeps for held strands between substeps.
+/// The solver's memory of constrained strands between substeps.
 #[derive(Debug, Default)]
 pub(super) struct ConstrainedSubstep {
-    /// The strands held in the last substep; more may be kept for their memory.
+    /// The constrained strands of the last substep; more may be kept for their memory.
     strands: Vec<ConstrainedStrand>,
     count: usize,
     packs: Packs,
     islands: Vec<Island>,
     island_count: usize,
-    /// Memory of lists of islands at work.
+    /// Memory for lists of islands.
     at_work: Vec<&'static mut Island>,
-    /// Islands whose strands may have to begin by another formula, and the strands that do.
+    /// Islands with strands that may have to begin again by the other formula, and those strands.
     asked: Vec<bool>,
     pressed: Vec<u32>,
     constraints: Vec<StepConstraint>,
     sets: DisjointSets,
     detection: ContactDetection,
     contacts: Vec<Contact>,
-    /// What the last substep took beside its iterations, s.
+    /// The last substep's time beside its iterations, s.
     overhead: Overhead,
-    /// Seconds that contact problems took since somebody asked.
+    /// Time of contact problems since it was last read, s.
     contact_seconds: f64,
-    /// Takes parts of a substep, see `substeps.rs`.
+    /// Takes the substeps of a substep, see `substeps.rs`.
     shorter: Option<Box<ConstrainedSubstep>>,
-    /// How often strands are searched for touches that are missed, if not [`MAX_SEARCHES`] times.
+    /// The largest number of searches for undetected contacts, if not [`MAX_SEARCHES`].
     #[cfg(test)]
     max_searches: Option<u32>,
 }
 
-/// What a substep takes beside its iterations, s.
+/// A substep's time beside its iterations, s.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Overhead {
     /// Before them.
@@ -100,36 +100,36 @@ pub(super) struct Overhead {
     pub end: f64,
 }
 
-/// What a held substep works on.
+/// The input of a constrained substep.
 pub(super) struct Scene<'a> {
     pub strands: &'a mut [Strand],
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a mut [Constraint],
     pub bodies: &'a [BodyAt<'a>],
-    /// Copies of the bodies on their ways, ready for the substep.
+    /// Copies of the moving bodies, ready for the substep.
     pub copies: &'a (dyn Fn() -> Vec<Body> + Sync),
     pub body_ids: &'a [BodyId],
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,
-    /// What packs are made of.
+    /// The instruction set of packs.
     pub set: InstructionSet,
     pub workers: &'a WorkerSet,
-    /// What the substep may cost.
+    /// The budget of the substep.
     pub meter: &'a Meter<'a>,
-    /// Whether it is the last of its call: how deep penalties leave surfaces is told of that.
+    /// Whether it is the last one of its call: penalty models report the depth of overlap for that one.
     pub is_last: bool,
-    /// Whether a body goes far among strands in it: it is one of several parts.
+    /// Whether a body moves far among strands in it: it is one of several substeps made for that.
     pub is_fast: bool,
-    /// Whether the substep is a part of one: strands that it does not hold are at the end of the whole.
+    /// Whether it is a substep within a substep: strands outside it are already at the end of the whole.
     pub is_nested: bool,
 }
 
 impl Strand {
-    /// Whether hair or one of the bodies may hold it in a substep of `h` seconds.
+    /// Whether hair or one of the bodies may constrain it in a substep of `h` seconds.
     #[inline]
     fn may_be_constrained(&self, bodies: &[BodyAt], hair: bool, h: f64) -> Constrained {
         let Some(contact) = self.contact.as_deref() else { return Constrained::No };
-        // What went past it while it was not there it is to meet.
+        // It still meets the bodies that passed it while it was elsewhere.
         if !self.bodies_from().is_empty() || hair && contact.wisp_radius > 0.0 {
             return Constrained::Yes;
         }
@@ -140,17 +140,17 @@ impl Strand {
 }
 
 impl ConstrainedSubstep {
-    /// The touches that carried a force at the end of the last substep.
+    /// The contacts with a force at the end of the last substep.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
     }
 
-    /// What a substep takes beside its iterations, as far as that is known.
+    /// A substep's time beside its iterations, as far as it is known.
     pub fn overhead(&self) -> Overhead {
         self.overhead
     }
 
-    /// The seconds that searches and contact problems took since this was asked last.
+    /// The time of searches and contact problems since it was last read, s.
     pub fn take_phases(&mut self) -> Phases {
         let (search, contact) = (self.detection.take_seconds(), std::mem::take(&mut self.contact_seconds));
         let mut phases = Phases { search, contact, ..Phases::default() };
@@ -160,7 +160,7 @@ impl ConstrainedSubstep {
         phases
     }
 
-    /// Forgets who touched whom: strands or bodies have other indices now.
+    /// Forgets the last substep's contacts: the indices of strands or bodies have changed.
     pub fn forget(&mut self) {
         self.detection.forget();
         self.contacts.clear();
@@ -176,18 +176,19 @@ impl ConstrainedSubstep {
         self.detection.forget_pairs();
     }
 
-    /// What is kept of the last substep's touches.
+    /// The contacts kept from the last substep.
     pub fn memory(&self) -> ContactMemory {
         self.detection.memory()
     }
 
-    /// A solver's memory as it was, see [`ContactDetection::take_up`].
+    /// A solver's memory restored, see [`ContactDetection::take_up`].
     pub fn taken_up<'a>(memory: ContactMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
         let mut new = Self::default();
         new.detection.take_up(memory, elements, bodies).then_some(new)
     }
 
-    /// Marks the strands that this substep of `h` seconds holds. True where a body that is near is all that may hold some.
+    /// Marks the strands that are constrained in this substep of `h` seconds. True if some may be constrained only by a body
+    /// near them.
     pub fn mark(scene: &mut Scene, h: f64) -> bool {
         let (hair, mut are_near) = (scene.options.hair, false);
         for strand in scene.strands.iter_mut() {
@@ -205,7 +206,8 @@ impl ConstrainedSubstep {
         are_near
     }
 
-    /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.
+    /// Takes the marked strands through a substep of `h` seconds. Those left deep may take it in substeps, halved at most
+    /// `levels` times.
     pub fn take(&mut self, scene: &mut Scene, h: f64, levels: u32, mut account: Account) {
         let begins = scene.meter.has_deadline().then(Instant::now);
         self.count = scene.strands.iter().filter(|strand| strand.is_constrained()).count();
@@ -256,9 +258,9 @@ impl ConstrainedSubstep {
         MAX_SEARCHES
     }
 
-    /// Newton's iterations of all islands, and `searches` for touches that the last search did not know of, at most.
+    /// Newton's iterations of all islands, with at most `searches` searches for undetected contacts.
     fn solve(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, searches: u32) {
-        // Until no search finds anything it is solved roughly: a touch that is seen later would undo what is exact.
+        // The solve is rough until a search finds nothing new: a contact detected later would undo an exact solution.
         let mut rough = searches > 0;
         for search in 0..searches {
             self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
@@ -291,7 +293,7 @@ impl ConstrainedSubstep {
             self.iterate(scene, h, contact, u32::MAX);
         }
         if searches > 0 && !scene.meter.is_halted() {
-            // No more is looked for, and what there is told.
+            // No more contacts are added, and what there is is reported.
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             self.detection.find(scene, strands, false);
             if scene.meter.is_halted() {
@@ -303,7 +305,7 @@ impl ConstrainedSubstep {
         }
     }
 
-    /// The last search was halted: strands that it has not come to may touch anything.
+    /// The last search was halted: strands that it has not reached may have undetected contacts.
     fn interrupt(&mut self, scene: &Scene) {
         let (why, unseen) = (scene.meter.stopped(), contact_detection::unseen(scene.options));
         self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(why));
@@ -313,8 +315,8 @@ impl ConstrainedSubstep {
         }
     }
 
-    /// How deep islands are left that have not come to their end, or that springs hold apart, and what no joint holds: it was no longer added to them, and would not be told. What
-    /// their joints say of that is of where the touches were found.
+    /// Measures the depth of islands that have not converged or are held apart by springs, and of overlap that no constraint
+    /// represents. Their constraints only tell the depth where the contacts were found.
     fn look_at_failures(&mut self, scene: &Scene) {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
         if scene.meter.is_halted() {
@@ -323,7 +325,7 @@ impl ConstrainedSubstep {
         let is_looked_at = |constrained: &ConstrainedStrand| {
             constrained.left_deep || constrained.lags() || islands[constrained.island as usize].failed()
         };
-        // Penalties were searched for at the start only.
+        // Penalty models search only at the start.
         let all = scene.options.model.is_soft();
         if !self.detection.is_possible(scene) || (all && !scene.is_last) || !(all || strands.iter().any(is_looked_at)) {
             return;
@@ -336,7 +338,7 @@ impl ConstrainedSubstep {
         if scene.meter.is_halted() || !strands.iter().any(ConstrainedStrand::lags) {
             return;
         }
-        // Bodies that are still to come after strands are there all the same.
+        // Bodies that still follow a strand are there all the same.
         for constrained in strands.iter_mut() {
             constrained.look_around(scene.bodies);
             constrained.step.gone = if constrained.lags() { f64::INFINITY } else { 0.0 };
@@ -345,7 +347,7 @@ impl ConstrainedSubstep {
         self.detection.report_depths(scene, strands, islands, false);
     }
 
-    /// The marked strands, each with its place in `strands`.
+    /// The marked strands, each with its entry in `strands`.
     fn pairs<'a>(
         strands: &'a mut [Strand],
         constrained: &'a mut [ConstrainedStrand],
@@ -353,7 +355,7 @@ impl ConstrainedSubstep {
         strands.iter_mut().filter(|strand| strand.is_constrained()).zip(constrained)
     }
 
-    /// Begins the step of those strands anew that are marked for it, by implicit Euler.
+    /// Begins the step of the strands marked for it again, by implicit Euler.
     fn restart(scene: &mut Scene, packs: &mut Packs, constrained: &mut [ConstrainedStrand], h: f64) {
         if !constrained.iter().any(|constrained| constrained.begins_again) || scene.meter.is_halted() {
             return;
@@ -365,7 +367,7 @@ impl ConstrainedSubstep {
         constrained.iter_mut().for_each(|constrained| constrained.begins_again = false);
     }
 
-    /// Makes the ends the strands' states.
+    /// Makes the ends of the iteration the strands' states.
     fn finish(&mut self, scene: &mut Scene, h: f64) {
         if self.count == 0 {
             return;
@@ -395,8 +397,9 @@ impl ConstrainedSubstep {
                 let behind = fails && island.is_behind(constrained);
                 let far = left && (constrained.residual > NEAR_END || constrained.residual.is_nan());
                 if fails && (left || fast || strand.is_carried()) && (behind || constrained.behind || far) {
-                    // What a cut iteration, or one that did not find through as a body went far, has left behind a body, or a cut one far from its
-                    // end, where strands get through bodies and into each other, is worse than where it was: it stays on its side.
+                    // A strand that an unconverged iteration has left behind a body, or one cut short far from convergence, may
+                    // have passed through bodies and strands. Such an end is worse than the beginning: the strand stays on its
+                    // side.
                     constrained.step.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
                     constrained.carried = true;
                     return;
@@ -404,14 +407,14 @@ impl ConstrainedSubstep {
                 let root = strand.state.root;
                 let outcome = &mut constrained.step.outcome;
                 (outcome.converged, outcome.quarantined, outcome.left) = (converged, quarantined, left && !converged);
-                // No step bends a strand by more than the energy of going its own length in it.
+                // No step bends a strand by more than the energy of moving by its own length in it.
                 let speed = strand.model.length() / h;
                 let max_elastic = strand.energies.elastic + constrained.mass * speed * speed;
                 let lane = constrained.lane as usize;
                 strand
                     .with_one(|one| pack.end(lane, one, setting, h, max_elastic, &mut scratch.step.rule, &mut constrained.step));
                 let outcome = constrained.step.outcome;
-                // (Its end may be no shape at all: then it is rolled back, and not behind.)
+                // (If its end is no finite shape it is rolled back, and is not behind.)
                 let behind = behind && !outcome.quarantined;
                 let divergence = strand.divergence.take_if(|_| behind);
                 strand.ended(outcome, setting, h, bodies, &mut scratch.step);
@@ -438,7 +441,7 @@ impl ConstrainedSubstep {
         for ((k, strand), constrained) in strands.zip(&mut self.strands) {
             constrained.index = k as u32;
             (constrained.mass, constrained.bending) = (strand.model.mass(), strand.model.bending_force());
-            constrained.contacts = strand.contact.is_some();
+            constrained.collides = strand.contact.is_some();
             constrained.contact = strand.contact.as_deref().copied().unwrap_or_default();
             strand.body_motions(h, scene.bodies, &mut constrained.body_motions);
             constrained.final_poses.clear();
@@ -459,7 +462,7 @@ impl ConstrainedSubstep {
         scene.meter.spend(constrained.iter().map(ConstrainedStrand::half_work).sum());
     }
 
-    /// The constraints' joints.
+    /// Adds the constraints of the scene's bilateral constraints.
     fn add_bilateral(&mut self, scene: &Scene, h: f64) {
         let (constrained, constraints) = (&self.strands[..self.count], &mut self.constraints);
         for (k, constraint) in scene.constraints.iter().enumerate() {
@@ -496,7 +499,7 @@ impl ConstrainedSubstep {
         goes_on
     }
 
-    /// Ties the joints' strands into islands, which are to be solved `rough`ly at first where that is of use.
+    /// Couples the constraints' strands into islands, to be solved `rough`ly first where that is of use.
     fn tie(&mut self, rough: bool) {
         self.sets.reset(self.count);
         for constraint in &self.constraints {
@@ -523,7 +526,7 @@ impl ConstrainedSubstep {
             self.islands[island].strands.push(k as u32);
         }
         for island in &mut self.islands[..self.island_count] {
-            // Strands that nothing new holds hang together as they did.
+            // Strands on which nothing new acts are coupled as before.
             let ended = |constrained: &u32| self.strands[*constrained as usize].ended;
             if island.strands.iter().all(|constrained| ended(constrained).is_some())
                 && let Some(ending) = island.strands.first().and_then(ended)
@@ -550,7 +553,7 @@ impl ConstrainedSubstep {
         }
     }
 
-    /// Newton's iterations of all islands, `most` of them at most.
+    /// At most `most` Newton iterations of all islands.
     fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
         let Self { strands, islands, packs, count, island_count, contact_seconds, at_work, .. } = self;
@@ -589,7 +592,8 @@ impl ConstrainedSubstep {
             packs.linearise(strands, islands, scene.workers, meter, |constrained| !islands[constrained.island as usize].done);
             let begins = Instant::now();
             share_out(islands, meter.left());
-            // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
+            // Large islands one after the other, each by all threads; then the others in parallel, the largest first, as a few
+            // take longer than all the others.
             let mut to_solve: Vec<&mut Island> = recycled(std::mem::take(at_work));
             to_solve.extend(islands.iter_mut().filter(|island| !island.done));
             to_solve.sort_unstable_by_key(|island| std::cmp::Reverse(island.constraints.len()));
@@ -597,7 +601,7 @@ impl ConstrainedSubstep {
             let (large, small) = to_solve.split_at_mut(large);
             let solve = |island: &mut Island, scratch: &mut WorkerScratch, workers: &WorkerSet| {
                 island.find_ends(strands);
-                // A number that is not finite: the strand that it comes from is told apart at the end.
+                // A number that is not finite: its strand is identified at the end.
                 if island.solve(strands, options, h, &mut scratch.problem, workers, meter).is_err() {
                     (island.done, island.ending.diverged) = (true, island.is_relaxed());
                     island.ending.good_enough = false;
@@ -629,7 +633,7 @@ impl ConstrainedSubstep {
                 }
             });
         }
-        // Here, and not at the substep's end: the next search makes islands anew.
+        // Here and not at the end of the substep: the next search forms new islands.
         for island in islands.iter_mut() {
             contact.iterations = contact.iterations.max(island.iterations);
             contact.sweeps += u64::from(std::mem::take(&mut island.sweeps));
@@ -637,7 +641,7 @@ impl ConstrainedSubstep {
     }
 }
 
-/// Shares out what is `left` to work among the islands that go on, by their joints.
+/// Distributes the work that is `left` among the unfinished islands by their numbers of constraints.
 fn share_out(islands: &mut [Island], left: u64) {
     let weight = |island: &Island| (island.constraints.len() + 1) as f64;
     let all: f64 = islands.iter().filter(|island| !island.done).map(weight).sum();

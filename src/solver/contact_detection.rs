@@ -1,9 +1,10 @@
-//! Who touches whom in a substep: bodies and strands found near held strands, as joints.
+//! Contact detection in a substep: contacts of constrained strands with bodies and other strands, as constraints, and their
+//! warm start.
 //!
 //! Files:
 //!
-//! - `memory.rs`: What is kept of touches from substep to substep, taken out and put back, for images of a scene.
-//! - `permitted_overlaps.rs`: Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
+//! - `memory.rs`: The contacts kept from substep to substep, saved and restored for snapshots.
+//! - `permitted_overlaps.rs`: Contacts of strands with permitted overlaps: their surfaces are nearer to their centrelines there.
 
 mod memory;
 mod permitted_overlaps;
@@ -28,37 +29,41 @@ use crate::contact::step_constraint::{ConstraintEnd, ConstraintKind, Give, SAME_
 use crate::contact::strand_contacts::PairScratch;
 use crate::platform::Instant;
 
-/// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of the largest wisp's radius for strands.
+/// Surfaces closer than this at the present iterate are contacts, m; between strands closer than this fraction of the largest
+/// wisp's radius.
 pub(super) const NEAR: f64 = 1e-3;
 const NEAR_HAIR: f64 = 0.1;
-/// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
+/// Pairs of strands are searched for again when one has moved by this fraction of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
-/// Surfaces are in each other when a step begins where they are so many tolerances deep: more than a step's end leaves.
+/// Surfaces count as overlapping at the start of a step if they are this many tolerances deep: more than the end of a step
+/// leaves.
 const DEEP: f64 = 2.0;
-/// How deep in a body a strand is looked for at a substep's start, m.
+/// The largest depth in a body at which a strand is looked for at the start of a substep, m.
 const DEEPEST: f64 = 0.1;
-/// A strand that has gone less than this part of the touches' tolerance since it was searched is not searched again.
+/// A strand that has moved by less than this fraction of the contact tolerance since its last search is not searched again.
 const UNSEEN: f64 = 0.1;
-/// A touch that was missed is one that is known, seen from where the strands are now, if along the strand it is no further from it than this share
-/// of what holds the surfaces' centres apart: side by side they would be one force in two places, which no solve can tell apart.
+/// An undetected contact is a known one, seen from where the strands are now, if it is no further from it along the strand than
+/// this fraction of the distance that the surfaces keep between their centres. Side by side the two would be one force in two
+/// places, which no solve can tell apart.
 const SAME_PLACE: f64 = 0.5;
-/// While its iteration goes on, a strand with an element further than this from its end, rad, and more new touches than this is not where it will
-/// touch anything.
+/// A strand whose element is further from convergence than this, rad, while its iteration goes on, and that has more new
+/// contacts than this, is not near its final place.
 const WILD: f64 = 1.0;
 const CROWD: usize = 20;
-/// A solve leaves no larger force where there should be none than this many times what its residual is in the strand's weight.
+/// A solve leaves no larger spurious force than this many times its residual in units of the strand's weight.
 const LEFT_OVER: f64 = 2.0;
-/// A touch is one that was known in the last step if along the strand it is no further from it than this share of the strand's length.
+/// A contact continues one of the last step if it is no further from it along the strand than this fraction of the strand's
+/// length.
 const SAME: f64 = 0.02;
 
-/// What a touch is with.
+/// The partner of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum With {
     Body(u32),
     Strand(u32),
 }
 
-/// A touch of the last substep.
+/// The force of a contact in the last substep.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WarmStartForce {
     pub strand: u32,
@@ -67,14 +72,14 @@ pub(super) struct WarmStartForce {
     pub force: Vector3<f64>,
 }
 
-/// What it takes to search an element near bodies, and a pair of pieces of strands, nanoseconds or so.
+/// Cost of the search of an element near bodies, and of a pair of pieces of strands, nanoseconds or so.
 const WORK_AN_ELEMENT: u64 = 1000;
 const WORK_A_CANDIDATE: u64 = 1000;
 
-/// Pairs of strands that are looked at together.
+/// Pairs of strands per task.
 const PAIRS_PER_TASK: usize = 32;
 
-/// Some pairs of strands, by the first of them, and their touches.
+/// The pairs of strands of a task, from this one on, and their contacts.
 #[derive(Debug, Default)]
 struct PairTask {
     from: usize,
@@ -82,11 +87,11 @@ struct PairTask {
     scratch: PairScratch,
 }
 
-/// The search and its memory.
+/// Contact detection, with its memory.
 #[derive(Debug, Default)]
 pub(super) struct ContactDetection {
     pairs: HairPairs,
-    /// What `pairs` was set for: a wisp a held strand, and which strands these are.
+    /// The wisps for which `pairs` was set, one per constrained strand in contact with hair, and the indices of these strands.
     wisps: Vec<Wisp>,
     of: Vec<u32>,
     ready: bool,
@@ -94,10 +99,10 @@ pub(super) struct ContactDetection {
     tasks: Vec<PairTask>,
     /// Which of the wisps are tied together.
     ties: Vec<Tie>,
-    /// Some of the strands may overlap others or bodies.
+    /// Some strands have permitted overlaps.
     allows: bool,
     warm_start: Vec<WarmStartForce>,
-    /// Seconds that searches took since somebody asked.
+    /// Time of searches since it was last read, s.
     seconds: f64,
     /// Memory of [`ContactDetection::undetected`] and of [`ContactDetection::add_undetected`].
     undetected: Vec<StepConstraint>,
@@ -106,12 +111,12 @@ pub(super) struct ContactDetection {
 }
 
 impl ContactDetection {
-    /// The seconds that searches took since this was asked last.
+    /// The time of searches since it was last read, s.
     pub fn take_seconds(&mut self) -> f64 {
         std::mem::take(&mut self.seconds)
     }
 
-    /// Forgets the last substep's touches and pairs.
+    /// Forgets the last substep's contacts and pairs.
     pub fn forget(&mut self) {
         self.warm_start.clear();
         self.ready = false;
@@ -122,7 +127,7 @@ impl ContactDetection {
         self.ready = false;
     }
 
-    /// Whether anything can touch at all.
+    /// Whether any contact is possible.
     pub fn is_possible(&self, scene: &Scene) -> bool {
         !scene.bodies.is_empty() || scene.options.hair
     }
@@ -132,9 +137,9 @@ impl ContactDetection {
         self.pairs.begin_step();
     }
 
-    /// Finds the touches at the present iterate of all strands that have moved since they were searched last: what two others do to each
-    /// other is known. At a substep's start also those that may come to touch, later only what is in each other. Where the meter halts it some are
-    /// missing, and these strands have still moved.
+    /// Finds the contacts at the present iterate of all strands that have moved since their last search; those of two strands
+    /// that have not are known. At the start of a substep these include contacts that may close, later only overlaps. If the
+    /// meter halts it some are missing, and their strands still count as moved.
     pub fn find(&mut self, scene: &Scene, strands: &mut [ConstrainedStrand], at_start: bool) {
         let begins = Instant::now();
         self.search(scene, strands, at_start);
@@ -176,7 +181,7 @@ impl ContactDetection {
     fn find_hair(&mut self, scene: &Scene, strands: &[ConstrainedStrand], at_start: bool) {
         let within = if at_start { NEAR } else { 0.0 };
         let meets_hair =
-            |constrained: &ConstrainedStrand| constrained.contacts && constrained.contact.wisp_radius > 0.0 && !constrained.alone;
+            |constrained: &ConstrainedStrand| constrained.collides && constrained.contact.wisp_radius > 0.0 && !constrained.alone;
         let wisps = || strands.iter().enumerate().filter(|(_, constrained)| meets_hair(constrained));
         let paths: Vec<StrandPath> =
             wisps().map(|(k, constrained)| StrandPath { index: k as u32, ..constrained.path() }).collect();
@@ -197,7 +202,7 @@ impl ContactDetection {
             return;
         }
         let moved: Vec<bool> = wisps().map(|(_, constrained)| constrained.has_gone(unseen(scene.options))).collect();
-        // In parts of a fixed size, put together in their order: the same touches whoever finds them.
+        // In tasks of a fixed size, joined in order: the same contacts for any threads.
         let groups: Vec<_> = self.pairs.groups().iter().filter(|pair| moved[pair.a as usize] || moved[pair.b as usize]).collect();
         let tasks = groups.len().div_ceil(PAIRS_PER_TASK);
         self.tasks.resize_with(self.tasks.len().max(tasks), PairTask::default);
@@ -222,7 +227,7 @@ impl ContactDetection {
         }
     }
 
-    /// The joints of all touches found.
+    /// The constraints of all contacts found.
     pub fn constraints(&mut self, scene: &Scene, strands: &[ConstrainedStrand], constraints: &mut Vec<StepConstraint>) {
         constraints
             .extend(self.found(strands).map(|(constrained, contact)| self.constraint(scene, strands, constrained, contact)));
@@ -261,7 +266,7 @@ impl ContactDetection {
                 let margin = if self.ties.is_empty() && !self.allows {
                     strand.contact.wisp_radius + other.contact.wisp_radius
                 } else {
-                    // What a knot near by, or what the strands may overlap, has left of the radii.
+                    // What a nearby knot or the permitted overlaps leave of the radii.
                     let apart = strand.end_state(&first.material_point).now - other.end_state(&second.material_point).now;
                     contact.normal.dot(&apart) - contact.gap
                 };
@@ -271,8 +276,8 @@ impl ContactDetection {
         };
         let deep = !scene.options.model.is_soft() && contact.gap < 0.0 && self.was_deep(scene, strands, &first, second, kind);
         let force = self.warm_start_force(strand.index, with, strand.along(&first.material_point), strand.length());
-        // A force that draws is none of a touch; and so small a one as the solve may leave where there is none would stay for ever on a
-        // strand that leaves.
+        // A pulling force is no contact force; and one as small as a solve may leave where there is none would stay for ever on
+        // a strand that moves away.
         let lightest = second.map_or(strand.mass, |end| strand.mass.min(strands[end.strand as usize].mass));
         let is_left_over = !scene.options.model.is_soft()
             && contact.gap > 0.0
@@ -281,7 +286,7 @@ impl ContactDetection {
         StepConstraint { gap: contact.gap, deep, ..StepConstraint::new(first, second, kind, force) }
     }
 
-    /// Whether the surfaces of a touch were in each other when the substep began.
+    /// Whether the surfaces of a contact overlapped when the substep began.
     fn was_deep(
         &self,
         scene: &Scene,
@@ -305,7 +310,7 @@ impl ContactDetection {
         }
     }
 
-    /// The force that such a touch had in the last substep.
+    /// The force of this contact in the last substep.
     fn warm_start_force(&self, strand: u32, with: With, along: f64, length: f64) -> Vector3<f64> {
         let from = self.warm_start.partition_point(|seen| (seen.strand, seen.with) < (strand, with));
         let mut best = (SAME * length, Vector3::zeros());
@@ -318,8 +323,8 @@ impl ContactDetection {
         best.1
     }
 
-    /// Of the touches found last, those that overlap where the strands are now and that no joint tells of. None where the meter has halted it:
-    /// strands with touches have then still moved.
+    /// Of the contacts found last: overlaps at the present iterate that no constraint represents. `None` if the meter has
+    /// halted it: strands with contacts still count as moved.
     fn undetected(
         &mut self,
         scene: &Scene,
@@ -340,7 +345,7 @@ impl ContactDetection {
             }
             let mut constraint = self.constraint(scene, strands, constrained, contact);
             if constraint.deep {
-                // It gives way; how deep it is says nothing, but is told.
+                // It yields: its depth means nothing, but is reported.
                 left_deep.extend(constraint.ends());
                 continue;
             }
@@ -366,8 +371,8 @@ impl ContactDetection {
         (!halted).then_some(undetected)
     }
 
-    /// Tells the strands, and their islands, that have touches which no joint holds, when there is to be no other search.
-    /// False where the meter has halted it.
+    /// Marks strands and islands with contacts that no constraint represents, after the last search. False if the meter has
+    /// halted it.
     pub fn report_undetected(
         &mut self,
         scene: &Scene,
@@ -386,8 +391,8 @@ impl ContactDetection {
         whole
     }
 
-    /// Adds what the last search found and no joint tells of to the islands' joints: true if there is any. All joints are then in `constraints`,
-    /// for islands to be made anew.
+    /// Adds the undetected contacts of the last search to the islands' constraints: true if there are any. All constraints are
+    /// then in `constraints`, from which islands are formed again.
     pub fn add_undetected(
         &mut self,
         scene: &Scene,
@@ -412,7 +417,7 @@ impl ContactDetection {
         for end in undetected.iter().flat_map(StepConstraint::ends) {
             strands[end.strand as usize].ended = None;
         }
-        // Attachments are made anew; the models of strands that rest are not.
+        // Attachments are made again; the models of resting strands are not.
         for constrained in &*strands {
             let constraints = &mut islands[constrained.island as usize].constraints;
             for end in &constrained.attachments {
@@ -429,18 +434,18 @@ impl ContactDetection {
             let (mut give, mut nearest) = (Give::No, None);
             let known = known_of.strand(constraint.first.strand).map(|index| (index, &constraints[index]));
             for (index, known) in known.filter(|(_, known)| known.is_with(&constraint)) {
-                // What yields does so all along.
+                // A yielding pair of surfaces yields everywhere.
                 give = give.max(known.give);
                 let apart = apart(known, &constraint, strands);
                 let turned = known.turned(&constraint);
                 let same = !known.deep && turned < 1.0 - SAME_SIDE && apart <= SAME_PLACE * constraint.margin();
-                // In a crease there are two of one place.
+                // A point in a crease has two contacts.
                 let unlike = apart + turned * constraint.margin();
                 if same && nearest.is_none_or(|(_, least)| unlike <= least) {
                     nearest = Some((index, unlike));
                 }
             }
-            // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
+            // A known contact moves to its deepest point; any other is new, also beside a yielding one.
             let constraint = StepConstraint { give, ..constraint };
             match nearest {
                 Some((known, _)) if constraints[known].has_left(&constraint) => {
@@ -457,10 +462,10 @@ impl ContactDetection {
         true
     }
 
-    /// Tells the islands how deep what the last search found is; where it is the `step`'s doing also that it is new, and the strands whether they are
-    /// in a body, or behind it.
+    /// Stores the depths found by the last search in the islands; with `step` also those caused by the step, and which strands
+    /// are in or behind a body.
     pub fn report_depths(&self, scene: &Scene, strands: &mut [ConstrainedStrand], islands: &mut [Island], step: bool) {
-        // What springs hold apart has no depth that it may have.
+        // Springs have no tolerated depth.
         let may = if scene.options.model.is_soft() { 0.0 } else { scene.options.tolerance };
         let mut behind = Vec::new();
         for (constrained, contact) in self.found(strands) {
@@ -483,7 +488,7 @@ impl ContactDetection {
         }
     }
 
-    /// What the last search found, and on which strand.
+    /// The contacts found by the last search, with their strands.
     fn found<'a>(&'a self, strands: &'a [ConstrainedStrand]) -> impl Iterator<Item = (u32, &'a ContactPoint)> {
         let bodies = strands
             .iter()
@@ -492,7 +497,7 @@ impl ContactDetection {
         bodies.chain(self.hair.iter().map(|contact| (contact.point.strand, contact)))
     }
 
-    /// Keeps the touches' forces for the next substep.
+    /// Stores the contacts' forces as the warm start of the next substep.
     pub fn store_warm_start<'a>(&mut self, islands: impl Iterator<Item = &'a Island>, strands: &[ConstrainedStrand]) {
         self.warm_start.clear();
         for constraint in islands.flat_map(|island| &island.constraints).filter(|constraint| constraint.force != Vector3::zeros())
@@ -513,15 +518,15 @@ impl ContactDetection {
         self.warm_start.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
     }
 
-    /// Remembers also what is left of the touches of strands that took the substep in parts.
-    pub fn keep_warm_start_of(&mut self, tasks: &Self) {
-        self.warm_start.extend_from_slice(&tasks.warm_start);
+    /// Adds the forces of strands that took the substep in substeps.
+    pub fn keep_warm_start_of(&mut self, substeps: &Self) {
+        self.warm_start.extend_from_slice(&substeps.warm_start);
         self.sort_warm_start();
     }
 }
 
-/// Takes out the new touches of strands that are in the middle of nowhere and meet all the others there: what they touch is seen when they have come
-/// nearer to their end. (Taken in, thousands held forty strands in a tangle: a step of 84 s.)
+/// Removes the new contacts of strands that are far from convergence and overlap many others there: their real contacts are
+/// visible when they have come nearer to it. (Thousands of such contacts would hold the strands of a tangle.)
 fn leave_wild_ones(undetected: &mut Vec<StepConstraint>, strands: &[ConstrainedStrand], islands: &[Island]) {
     let is_wild = |constrained: u32| {
         strands[constrained as usize].residual > WILD && !islands[strands[constrained as usize].island as usize].done
@@ -537,7 +542,7 @@ fn leave_wild_ones(undetected: &mut Vec<StepConstraint>, strands: &[ConstrainedS
     undetected.retain(|constraint| !constraint.ends().any(|end| wild.binary_search(&end.strand).is_ok()));
 }
 
-/// Which joints strands are the first end of: the last first.
+/// The constraints of which a strand is the first end, the last first.
 #[derive(Debug, Default)]
 struct KnownOf {
     last: Vec<Option<usize>>,
@@ -545,14 +550,14 @@ struct KnownOf {
 }
 
 impl KnownOf {
-    /// Of that many strands, no joints yet.
+    /// For this number of strands, without constraints.
     fn reset(&mut self, strands: usize) {
         self.last.clear();
         self.last.resize(strands, None);
         self.before.clear();
     }
 
-    /// Takes in what was added to a list of joints.
+    /// Adds the new entries of a list of constraints.
     fn take_in(&mut self, constraints: &[StepConstraint]) {
         for (index, constraint) in constraints.iter().enumerate().skip(self.before.len()) {
             self.before.push(self.last[constraint.first.strand as usize].replace(index));
@@ -564,8 +569,8 @@ impl KnownOf {
     }
 }
 
-/// Whether a joint that there is already tells that this touch overlaps: its island is solved roughly so far, or has not come to its end, or it
-/// yields, and is as deep elsewhere.
+/// Whether an existing constraint already represents the overlap of this contact: it is as deep elsewhere, and yields or is
+/// beside it.
 fn is_reported(constraint: &StepConstraint, strands: &[ConstrainedStrand], islands: &[Island], tolerance: f64) -> bool {
     let strand = &strands[constraint.first.strand as usize];
     let known = strand.attachments.iter().map(|end| &islands[strand.island as usize].constraints[end.constraint as usize]);
@@ -574,7 +579,7 @@ fn is_reported(constraint: &StepConstraint, strands: &[ConstrainedStrand], islan
     as_deep.any(|known| known.give != Give::No || beside(known))
 }
 
-/// How far two touches of a strand with the same partner are apart along the strand, or its partner, at most, m.
+/// The larger distance of two contacts of a strand with the same partner, along the strand or along the partner, m.
 fn apart(one: &StepConstraint, other: &StepConstraint, strands: &[ConstrainedStrand]) -> f64 {
     let along = |end: &ConstraintEnd| strands[end.strand as usize].along(&end.material_point);
     let off = |a: &ConstraintEnd, b: &ConstraintEnd| (along(a) - along(b)).abs();
@@ -585,18 +590,18 @@ fn apart(one: &StepConstraint, other: &StepConstraint, strands: &[ConstrainedStr
     }
 }
 
-/// Strands that have gone no further since they were searched are not searched again, m.
+/// Strands that have moved by no more than this since their last search are not searched again, m.
 pub(super) fn unseen(options: &ContactOptions) -> f64 {
     UNSEEN * options.tolerance
 }
 
-/// How far to look for what touches these wisps.
+/// The search distances for these wisps.
 pub(super) fn pair_options(wisps: &[Wisp]) -> PairOptions {
     let largest = wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
     PairOptions { activation: NEAR.min(NEAR_HAIR * largest), margin: MARGIN * largest }
 }
 
-/// Which of the wisps constraints tie together: the wisps give way to each other there. `wisp` gives a strand's place among them.
+/// The ties between wisps, where they give way to each other. `wisp` gives a strand's index among them.
 pub(super) fn tied(constraints: &[Constraint], wisp: impl Fn(StrandId) -> Option<usize>, ties: &mut Vec<Tie>) {
     ties.clear();
     ties.extend(constraints.iter().filter_map(|constraint| match constraint.def.hold {

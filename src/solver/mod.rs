@@ -7,10 +7,10 @@
 //! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
 //! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
 //! - `clips.rs`: Clips: hold strands where they are in a box, and move with the box.
-//! - `constrained_substep.rs`: The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton iteration.
+//! - `constrained_substep.rs`: The substep of constrained strands.
 //! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
 //! - `contact_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
-//! - `contact_detection.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
+//! - `contact_detection.rs`: Contact detection in a substep: contacts of constrained strands with bodies and other strands, as constraints, and their warm start.
 //! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
 //! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
 //! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.

@@ -1,7 +1,7 @@
-//! Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of [`super::constrained_step`].
+//! A pack of constrained strands: the work of [`super::constrained_step`] that is the same for all of them, side by side.
 //!
-//! The strands of a pack are of one [`Kind`](super::members::PackKey) and begin together; each then goes its own way, and may wait while others
-//! go on: no lane's result depends on the others.
+//! The strands of a pack have one [`PackKey`](super::members::PackKey) and begin together; each then takes its own path, and
+//! may wait while others go on: no lane's result depends on the others.
 
 use super::constrained_step::{ConstrainedStep, Lanes, running};
 use super::iterate::{Problem, choose_start, forces, place_trial, predict_tension, wrench};
@@ -22,18 +22,19 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
 use crate::rod::kinematics::{ElementState, element_states, lane_of_elements};
 
-/// A pack in the course of its strands' step.
+/// A pack during its strands' step.
 #[derive(Debug)]
 pub struct ConstrainedPack<T> {
     bench: Bench<T>,
-    /// The elements as the step found them.
+    /// The elements at the start of the step.
     start: Vec<ElementState<T>>,
     rotation: Mat3<T>,
     offset: Vec3<T>,
     times: StageTimes<T>,
     freedoms: Freedoms,
     rule: usize,
-    /// The lanes whose tension is foreseen: the exact Hessian's geometric terms are those of it. Others have none.
+    /// The lanes with a lagged tension, from which the geometric terms of the exact Hessian come. The others have no such
+    /// terms.
     exact: u32,
     loads: PackLoads<T>,
     moved: Vec<Vec3<T>>,
@@ -59,28 +60,30 @@ impl<T: Lane> Default for ConstrainedPack<T> {
 }
 
 impl<T: Lane> ConstrainedPack<T> {
-    /// Makes room for so many stations.
+    /// Makes room for this many material points.
     pub fn make_room(&mut self, material_points: usize) {
         self.loads.make_room(material_points);
         self.moved.reserve(material_points.saturating_sub(self.moved.len()));
     }
 
-    /// Begins a step of `h` seconds of strands of one kind, a lane each; `first_order`: by implicit Euler whatever the setting says.
+    /// Begins a step of `h` seconds of strands with one pack key, a lane each; `first_order`: by implicit Euler, whatever the
+    /// setting.
     pub fn begin(&mut self, members: &dyn Pack, setting: &Setting, h: f64, first_order: bool, strands: Lanes) {
         T::call(Begin { pack: self, members, setting, h, first_order, strands });
     }
 
-    /// First half of an iteration of strands that [`ConstrainedStep::hold`] has told of their stations.
+    /// First half of an iteration, of strands whose material points were set by [`ConstrainedStep::hold`].
     pub fn linearise(&mut self, strands: Lanes) {
         T::call(Linearise { pack: self, strands });
     }
 
-    /// Second half: goes the way that the strands' forces ([`ConstrainedStep::pull`]) lead to.
+    /// Second half: moves the strands as their forces ([`ConstrainedStep::pull`]) say.
     pub fn advance(&mut self, setting: &Setting, strands: Lanes) {
         T::call(Advance { pack: self, setting, strands });
     }
 
-    /// Bends all elements of one strand by so much more, 1/m about n1 and n2: the iteration goes on from there. (Of freedoms that are held none.)
+    /// Adds a bend to all elements of one strand, 1/m about n1 and n2: the iteration goes on from there. (Frozen freedoms get
+    /// none.)
     pub fn bend(&mut self, lane: usize, curvature: [f64; 2], setting: &Setting, constrained: &mut ConstrainedStep) {
         let size = (curvature[0] * curvature[0] + curvature[1] * curvature[1]).sqrt();
         let change = match (self.freedoms.contains(1), self.freedoms.contains(2)) {
@@ -108,13 +111,13 @@ impl<T: Lane> ConstrainedPack<T> {
         constrained.before = None;
     }
 
-    /// Works out what the step's end is like for its strands, before [`ConstrainedPack::end`].
+    /// Computes the end of the step, before [`ConstrainedPack::end`].
     pub fn finish(&mut self, members: &dyn Pack, setting: &Setting, h: f64, strands: Lanes) {
         T::call(Finish { pack: self, members, setting, h, strands });
     }
 
-    /// Ends the step of one strand: its end becomes the strand's state, unless it is not finite, or has not converged and is bent by more than
-    /// `max_elastic` (J): it is then come to nowhere.
+    /// Ends the step of one strand: its end becomes the strand's state, unless it is not finite, or has not converged and is
+    /// bent by more than `max_elastic` (J), which means that it has diverged.
     #[allow(clippy::too_many_arguments, reason = "a strand, and what its step is of")]
     pub fn end(
         &self,
@@ -136,7 +139,7 @@ impl<T: Lane> ConstrainedPack<T> {
         }
     }
 
-    /// Newton's direction with the forces in place; how far the stations move along it goes to the strands.
+    /// Newton's direction with the forces in place; the strands get the displacements of their material points along it.
     #[inline(always)]
     fn direct(&mut self, strands: Lanes) -> Direction<T> {
         let axes = self.freedoms.axes();
@@ -229,7 +232,7 @@ impl<T: Lane> Kernel for Linearise<'_, '_, T> {
             iterate.system.rotation_stiffness = T::from_lanes(damping);
             let found =
                 elimination.solve_loaded(&iterate.kinematics, &iterate.system, &pack.loads.loads, axes, &mut iterate.change);
-            // A strand that is good keeps its damping, and its system again.
+            // A strand that is good keeps its damping and its system.
             let mut good = true;
             for (_, constrained) in running(strands).filter(|(lane, _)| found.repaired.lane(*lane) != 0.0) {
                 if tries < newton::MAX_DAMPINGS {
@@ -284,7 +287,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
             moving |= 1 << lane;
         }
         let search = LineSearch { problem: &problem, descent: found.descent, from: &from, trusted: 0 };
-        // No way down that rounding lets us see: as good as the potential can tell.
+        // No decrease above rounding: as good as the potential can tell.
         let (pending, to) = search.run(iterate, &mut part, moving, |iterate, lane, at| {
             let Some(constrained) = &mut strands[lane] else { return at };
             lane_of_elements(&iterate.trial.elements, lane, &mut constrained.trial);
@@ -317,7 +320,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
 }
 
 impl<T: Lane> ConstrainedPack<T> {
-    /// The tension of the lanes that have moved, by `part` of the direction each. The others keep theirs.
+    /// The lagged tension of the lanes that have moved, by a fraction `part` of the direction each. The others keep theirs.
     #[inline(always)]
     fn predict_tension(&mut self, part: &[f64; MAX_LANES], moved: u32) {
         let axes = self.freedoms.axes();

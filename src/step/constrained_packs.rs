@@ -1,4 +1,4 @@
-//! Packs of strands that forces hold, in registers of any width.
+//! Packs of constrained strands, in registers of any width.
 
 use super::Setting;
 use super::constrained_pack::ConstrainedPack;
@@ -36,7 +36,7 @@ enum Width {
 }
 
 impl Width {
-    /// The narrowest registers that hold so many strands: a wide instruction costs more than a narrow one.
+    /// The narrowest registers for this number of strands: a wide instruction costs more than a narrow one.
     fn of(strands: usize, set: InstructionSet) -> Self {
         #[cfg(target_arch = "x86_64")]
         match set {
@@ -53,7 +53,7 @@ impl Width {
     }
 }
 
-/// Does something with the pack that is in use.
+/// Calls a method of the pack in use.
 macro_rules! with_pack {
     ($any:expr, $pack:ident => $action:expr) => {
         match $any.width {

@@ -1,4 +1,4 @@
-//! A strand that forces hold at stations and that takes its step by itself, an iteration at a time.
+//! A constrained strand that takes its step alone, an iteration at a time.
 
 use super::Setting;
 use super::constrained_pack::ConstrainedPack;
@@ -7,22 +7,22 @@ use super::members::One;
 use crate::chain::load::MaterialPoint;
 use crate::math::vector::Vec3;
 
-/// A strand that takes its step by itself.
+/// A constrained strand outside any pack.
 #[derive(Debug, Default)]
 pub struct ConstrainedSingle {
-    /// The strand.
+    /// Its step.
     pub step: ConstrainedStep,
     pack: ConstrainedPack<f64>,
 }
 
 impl ConstrainedSingle {
-    /// Makes room for so many stations.
+    /// Makes room for this many material points.
     pub fn make_room(&mut self, material_points: usize) {
         self.step.make_room(material_points);
         self.pack.make_room(material_points);
     }
 
-    /// Begins a step of `h` seconds; `first_order`: by implicit Euler whatever the setting says.
+    /// Begins a step of `h` seconds; `first_order`: by implicit Euler, whatever the setting.
     pub fn begin(&mut self, one: &One, setting: &Setting, h: f64, first_order: bool) {
         self.pack.begin(one, setting, h, first_order, &mut [Some(&mut self.step)]);
     }

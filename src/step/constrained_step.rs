@@ -1,11 +1,13 @@
-//! The step of strands that forces from outside hold at stations, one Newton iteration at a time, so that between iterations somebody
-//! else can say what the forces are: contact and constraints, which may tie many strands together. Strands of one kind go side by side in a
-//! pack ([`ConstrainedPack`](super::constrained_pack::ConstrainedPack)), which has what is the same work for all; this is what each has of its own.
+//! The step of one constrained strand, one Newton iteration at a time. Forces act on it at material points, and between
+//! iterations they are found from outside: by contact and bilateral constraints, which may couple many strands. Strands with
+//! one pack key go side by side in a pack ([`ConstrainedPack`](super::constrained_pack::ConstrainedPack)), which does the work
+//! that is the same for all; here is what each strand has of its own.
 //!
-//! Each iteration has two halves. The first, [`ConstrainedPack::linearise`](super::constrained_pack::ConstrainedPack::linearise), gives what the stations would do
-//! without forces, and their Delassus operator; the second, [`ConstrainedPack::advance`](super::constrained_pack::ConstrainedPack::advance), goes the way that the
-//! forces lead to, a descent of the Lagrangian Φ(q) − Σ λ·r(q) with the forces λ as they are then. The step ends where neither the forces
-//! nor the shape change any more. It is of implicit Euler, or of second order where that is asked for and the strand has a past.
+//! An iteration has two halves. The first, [`ConstrainedPack::linearise`](super::constrained_pack::ConstrainedPack::linearise),
+//! gives the displacements of the material points without forces, and their Delassus operator. The second,
+//! [`ConstrainedPack::advance`](super::constrained_pack::ConstrainedPack::advance), moves the strand with the forces, a descent
+//! of the Lagrangian Φ(q) − Σ λ·r(q) at fixed forces λ. The step ends when neither the forces nor the shape change any more. It
+//! is a step of implicit Euler, or of second order if that is set and the strand has a history.
 
 use nalgebra::Vector3;
 
@@ -19,61 +21,61 @@ use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;
 
-/// A bond between a station and the world: what it holds, and how far that is from holding at the present iterate.
+/// A rigid constraint between a material point and the world, and its violation at the present iterate.
 #[derive(Debug, Clone, Copy)]
 pub struct WorldConstraint {
-    /// The projector on the directions that it holds, world axes.
+    /// Projector on the constrained directions, world axes.
     pub projector: Mat3<f64>,
-    /// From where it holds to where the station is, along those directions, m.
+    /// Displacement of the material point from its target along those directions, m.
     pub off: Vec3<f64>,
 }
 
-/// Springs on the bonds are made stiffer by that factor where they do not do, up to so many times what is tried first; then the rotations
-/// are held back too.
+/// Springs on world constraints are made stiffer by this factor until they suffice, up to this many times the first stiffness;
+/// then the rotations are damped too.
 const STIFFER: f64 = 16.0;
 const STIFFEST: f64 = 256.0;
 
-/// One strand in the course of its step.
+/// One strand during its step.
 #[derive(Debug)]
 pub struct ConstrainedStep {
-    /// The strand's elements as the step found them, from where the root was then.
+    /// The strand's elements at the start of the step, relative to where the root was then.
     pub(super) start: Vec<ElementState<f64>>,
     pub(super) start_origin: Vector3<f64>,
     pub(super) origin: Vector3<f64>,
-    /// The strand's elements at the present iterate, and on trial.
+    /// The strand's elements at the present iterate, and at the trial point.
     pub(super) now: Vec<ElementState<f64>>,
     pub(super) trial: Vec<ElementState<f64>>,
     /// The potential and its rounding at the present iterate.
     pub(super) potential: Merit,
-    /// The strand's elements as the iteration began, and the potential and its rounding there.
+    /// The elements at the first iterate, and the potential and its rounding there.
     pub(super) guess: Vec<ElementState<f64>>,
     pub(super) guessed: Merit,
     pub(super) damping: Damping,
     pub(super) before: Option<f64>,
     pub(super) material_points: Vec<MaterialPoint>,
     pub(super) loads: Vec<Load<f64>>,
-    /// Which of its pack's loads each station is.
+    /// The index of each material point among its pack's loads.
     pub(super) slots: Vec<u32>,
     pub(super) forces: Vec<Vec3<f64>>,
-    /// The bonds with the world, one a station where there are any, where they hold their stations, and the stiffness of the springs on them,
-    /// N/m; zero: none.
+    /// The world constraints, one entry per material point if there are any; their anchors; and the stiffness of the springs on
+    /// them, N/m (zero: none).
     world_constraints: Vec<Option<WorldConstraint>>,
     anchors: Vec<Vec3<f64>>,
     spring: f64,
-    /// The stiffness of the springs to try first, N/m.
+    /// The first stiffness of the springs to be tried, N/m.
     usual_spring: f64,
-    /// How far each station would go in this iteration without forces, world axes, m.
+    /// Displacement of each material point in this iteration without forces, world axes, m.
     pub unconstrained: Vec<Vec3<f64>>,
-    /// What forces at the stations add to that.
+    /// The displacements that forces at the material points add.
     pub delassus: Delassus,
-    /// How far some point of it has gone at most since this was set to zero, iteration by iteration, m; infinite at a step's begin.
+    /// Sum of the iterations' largest displacements of any of its points since it was set to zero, m; infinite at the start of
+    /// a step.
     pub gone: f64,
-    /// How far an element may still be from where the iteration would end with the forces that it was advanced with, rad; infinite where the
-    /// strand is lost.
+    /// Estimated distance of an element from convergence under the last forces, rad; infinite for a diverged strand.
     pub residual: f64,
     /// Whether all that would become its state is finite.
     pub(super) finite: bool,
-    /// How it goes.
+    /// The outcome.
     pub outcome: StrandOutcome,
 }
 
@@ -109,7 +111,7 @@ impl Default for ConstrainedStep {
 }
 
 impl ConstrainedStep {
-    /// Makes room for so many stations.
+    /// Makes room for this many material points.
     pub fn make_room(&mut self, material_points: usize) {
         fn reserve<T>(list: &mut Vec<T>, count: usize) {
             list.reserve(count.saturating_sub(list.len()));
@@ -123,7 +125,7 @@ impl ConstrainedStep {
         reserve(&mut self.delassus.columns, 9 * material_points * material_points);
     }
 
-    /// Its step has begun: it is where the iteration starts from.
+    /// Its step has begun: sets the first iterate.
     pub(super) fn begin(&mut self, potential: Merit, usual_damping: f64) {
         self.guess.clone_from(&self.now);
         (self.potential, self.guessed) = (potential, potential);
@@ -138,27 +140,27 @@ impl ConstrainedStep {
         self.spring = 0.0;
     }
 
-    /// The strand as the step found it: where its root was, and its elements from there.
+    /// The strand at the start of the step: the root's origin, and the elements relative to it.
     pub fn start(&self) -> (Vector3<f64>, &[ElementState<f64>]) {
         (self.start_origin, &self.start)
     }
 
-    /// The same at the present iterate for the step's end.
+    /// The same at the present iterate.
     pub fn now(&self) -> (Vector3<f64>, &[ElementState<f64>]) {
         (self.origin, &self.now)
     }
 
-    /// Where a station is in a strand whose root's origin and elements are given.
+    /// Position of a material point of a strand with this root and these elements.
     pub fn place((origin, elements): (Vector3<f64>, &[ElementState<f64>]), material_point: &MaterialPoint) -> Vector3<f64> {
         origin + Vector3::from(position(elements, material_point))
     }
 
-    /// Before the first half of an iteration: forces will act at `material_points` (from root to tip); `guess` are those that the iteration before came
-    /// to, which bend the matrix. `world_constraints`: none, or one a station that a bond holds to the world.
+    /// Before the first half of an iteration: forces will act on `material_points` (from root to tip); `guess` are those of the
+    /// last iteration, which enter the Hessian. `world_constraints`: empty, or one entry per material point.
     ///
-    /// Where the strand's own matrix is not positive definite, as under pressure between clamps, springs on the bonds are added to it (an
-    /// augmented Lagrangian): they cost the solution nothing, since what they pull with is taken off the bonds' forces again
-    /// ([`ConstrainedStep::pulled`]), and unlike damping they hold nothing back that the bonds leave free.
+    /// Where the strand's own matrix is not positive definite, as under compression between clamps, springs on the world
+    /// constraints are added to it (an augmented Lagrangian). They do not change the solution, since the constraints' forces
+    /// are reduced by theirs ([`ConstrainedStep::pulled`]), and unlike damping they do not impede unconstrained directions.
     pub fn hold(
         &mut self,
         material_points: &[MaterialPoint],
@@ -174,7 +176,7 @@ impl ConstrainedStep {
         self.damping.begin();
     }
 
-    /// Makes its loads; `exact`: with the geometric terms of the forces. `iterate` has it in a lane.
+    /// Makes its loads; `exact`: with the geometric terms of the forces. The strand is in this lane of `iterate`.
     pub(super) fn load<T: Lane>(&mut self, iterate: &Iterate<T>, lane: usize, exact: bool) {
         self.loads.clear();
         let tension = |force: &Vec3<f64>| if exact { *force } else { Vec3::zero() };
@@ -218,8 +220,7 @@ impl ConstrainedStep {
         }
     }
 
-    /// What the spring on a station's bond pulls at it with in the linear model beside what is told of it: to be added to the force that
-    /// the model has there, N.
+    /// The force of the spring at a material point in the linear model: to be added to the constraint's force, N.
     pub fn pulled(&self, material_point: usize) -> Vec3<f64> {
         match self.world_constraints.get(material_point) {
             Some(Some(constraint)) if self.spring > 0.0 => constraint.off.scale(self.spring),
@@ -227,7 +228,7 @@ impl ConstrainedStep {
         }
     }
 
-    /// Before the second half: the forces on the stations (with [`ConstrainedStep::pulled`]).
+    /// Before the second half: the forces on the material points (including [`ConstrainedStep::pulled`]).
     pub fn pull(&mut self, forces: &[Vec3<f64>]) {
         self.forces.clear();
         self.forces.extend_from_slice(forces);
@@ -240,27 +241,27 @@ impl ConstrainedStep {
         }
     }
 
-    /// The Lagrangian of the present forces and springs, and its rounding, where the potential and elements are given.
+    /// The Lagrangian of the present forces and springs, and its rounding, for this potential and these elements.
     pub(super) fn lagrangian(&self, potential: Merit, elements: &[ElementState<f64>]) -> Merit {
         let springs = if self.spring > 0.0 { &self.world_constraints[..] } else { &[] };
         lagrangian(self, potential, elements, springs)
     }
 
-    /// By how much the Lagrangian with the present forces is higher at the present iterate than where the iteration began, beyond what rounding may
-    /// do, J. Above zero, the iterate is not the minimum but another stationary point: a chain that is folded another way has one.
+    /// By how much the Lagrangian of the present forces has risen since the first iterate, beyond rounding, J. Above zero the
+    /// iterate is not the minimum but another stationary point, such as one where a chain is folded another way.
     pub fn rise(&self) -> f64 {
         let now = lagrangian(self, self.potential, &self.now, &[]);
         let began = lagrangian(self, self.guessed, &self.guess, &[]);
         (now.value - began.value - now.noise - began.noise).max(0.0)
     }
 
-    /// What is on trial is accepted.
+    /// Accepts the trial point.
     pub(super) fn accept(&mut self) {
         self.gone += farthest(&self.now, &self.trial);
         std::mem::swap(&mut self.now, &mut self.trial);
     }
 
-    /// The force on its root and the torque about it, with those of the forces at its stations.
+    /// The force on its root and the torque about it, including those of the forces at its material points.
     pub(super) fn wrench(&self, mut force: Vec3<f64>, mut torque: Vec3<f64>) -> (Vec3<f64>, Vec3<f64>) {
         for (material_point, pull) in self.material_points.iter().zip(&self.forces) {
             force += *pull;
@@ -273,13 +274,13 @@ impl ConstrainedStep {
 /// The strands of a pack that take part in half an iteration, by their lanes.
 pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut ConstrainedStep>];
 
-/// What there is in some of the lanes, with the lanes.
+/// The occupied lanes.
 #[inline(always)]
 pub fn running<M>(lanes: &mut [Option<M>]) -> impl Iterator<Item = (usize, &mut M)> {
     lanes.iter_mut().enumerate().filter_map(|(lane, member)| Some((lane, member.as_mut()?)))
 }
 
-/// How far the elements' ends are from where they were, at most.
+/// The largest displacement of the elements' ends.
 fn farthest(elements: &[ElementState<f64>], were: &[ElementState<f64>]) -> f64 {
     let tip = |elements: &[ElementState<f64>]| elements.last().map_or(Vec3::zero(), ElementState::origin_right);
     let ends = elements.iter().zip(were).map(|(now, then)| (now.origin_left - then.origin_left).norm_squared());
@@ -297,13 +298,13 @@ fn position(elements: &[ElementState<f64>], material_point: &MaterialPoint) -> V
     element.origin_left + element.frame_left.apply(local)
 }
 
-/// The stiffness of the springs to try first: of the order of the strand's own, with what its forces may take off it.
+/// The first stiffness of the springs to be tried: of the order of the strand's own, with what its forces may take off it.
 fn usual_spring(inertia: f64, elements: &[ElementState<f64>], forces: &[Vec3<f64>]) -> f64 {
     let shortest = elements.iter().map(|element| element.length).fold(f64::INFINITY, f64::min);
     forces.iter().map(|force| force.norm_squared().sqrt() / shortest).fold(inertia, f64::max)
 }
 
-/// A potential and its rounding, less the forces' work, and with the energy of the springs on `world_constraints`.
+/// A potential and its rounding minus the work of the forces, with the energy of the springs on `world_constraints`.
 fn lagrangian(
     constrained: &ConstrainedStep,
     Merit { mut value, mut noise }: Merit,

@@ -1,11 +1,11 @@
-//! The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
+//! The loads of a pack's strands in lanes: those of an element side by side, so that one elimination includes them all.
 
 use super::constrained_step::{Lanes, running};
 use crate::chain::load::Load;
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
 
-/// Loads from root to tip, and the forces at them. A lane that has none where others have one has nothing there.
+/// Loads from root to tip, and their forces. A lane with fewer loads than others has empty ones.
 #[derive(Debug)]
 pub(super) struct PackLoads<T> {
     pub loads: Vec<Load<T>>,
@@ -20,18 +20,18 @@ impl<T> Default for PackLoads<T> {
 }
 
 impl<T: Lane> PackLoads<T> {
-    /// Makes room for so many stations.
+    /// Makes room for this many material points.
     pub fn make_room(&mut self, material_points: usize) {
         self.loads.reserve(material_points.saturating_sub(self.loads.len()));
         self.forces.reserve(material_points.saturating_sub(self.forces.len()));
     }
 
-    /// There are none.
+    /// Removes all loads.
     pub fn clear(&mut self) {
         self.loads.clear();
     }
 
-    /// Gives every station of the strands, of so many elements each, a place among the loads.
+    /// Gives every material point of the strands, of this many elements each, a place among the loads.
     #[inline(always)]
     pub fn lay_out(&mut self, elements: usize, strands: Lanes) {
         strands.iter_mut().flatten().for_each(|constrained| constrained.slots.clear());
@@ -77,7 +77,7 @@ impl<T: Lane> PackLoads<T> {
         self.forces.resize(self.loads.len(), Vec3::zero());
     }
 
-    /// The strands' forces act, less what their springs pull with.
+    /// The strands' forces act, minus those of their springs.
     #[inline(always)]
     pub fn pull(&mut self, strands: Lanes) {
         self.rest();

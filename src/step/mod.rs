@@ -2,16 +2,16 @@
 //!
 //! Files:
 //!
-//! - `constrained_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::constrained_step`.
-//! - `constrained_packs.rs`: Packs of strands that forces hold, in registers of any width.
-//! - `constrained_single.rs`: A strand that forces hold at stations and that takes its step by itself, an iteration at a time.
-//! - `constrained_step.rs`: The step of strands that forces from outside hold at stations, one Newton iteration at a time.
+//! - `constrained_pack.rs`: A pack of constrained strands: the work of `super::constrained_step` that is the same for all of them, side by side.
+//! - `constrained_packs.rs`: Packs of constrained strands, in registers of any width.
+//! - `constrained_single.rs`: A constrained strand that takes its step alone, an iteration at a time.
+//! - `constrained_step.rs`: The step of one constrained strand, one Newton iteration at a time.
 //! - `context.rs`: What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
 //! - `damping.rs`: Levenberg–Marquardt damping of the rotations in Newton's iteration: the parameter λ, N·m/rad, from iteration to iteration.
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium of a strand under gravity: a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
 //! - `iterate.rs`: The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand between them.
-//! - `lane_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
+//! - `lane_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination includes them all.
 //! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
 //! - `linearly_implicit.rs`: The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its second-order terms.
 //! - `local_error.rs`: The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).

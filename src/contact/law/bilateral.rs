@@ -1,4 +1,4 @@
-//! Bonds: points or rotations held together (pins, clamps, ties).
+//! Bilateral constraints: points or rotations held together (pins, clamps, ties).
 
 use std::fmt::Display;
 
@@ -7,28 +7,28 @@ use nalgebra::{Matrix3, Vector3};
 use super::{across, check_unit};
 use crate::error::{Result, check_not_negative};
 
-/// Which parts of `u` a bond holds at zero.
+/// The components of `u` that a bilateral constraint keeps at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ConstrainedAxes {
     /// All three.
     All,
-    /// The two across this direction (unit, world): free to go along it, or to turn about it.
+    /// The two across this direction (unit, world): it may slide along the direction, or turn about it.
     Across(Vector3<f64>),
     /// The one along this direction (unit, world).
     Along(Vector3<f64>),
 }
 
-/// Two points, or two rotations, held together: u + compliance λ = 0 along the held axes, λ = 0 along the others.
+/// Two points, or two rotations, held together: u + compliance λ = 0 along the constrained axes, λ = 0 along the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BilateralLaw {
-    /// What is held.
+    /// The constrained axes.
     pub axes: ConstrainedAxes,
-    /// m/N (between rotations rad/(N·m)), zero or above; zero: exactly held.
+    /// m/N (between rotations rad/(N·m)), zero or above; zero: rigid.
     pub compliance: f64,
 }
 
 impl BilateralLaw {
-    /// The held directions, unit and perpendicular to each other, world axes.
+    /// The constrained directions, unit and perpendicular to each other, world axes.
     pub fn directions(&self) -> impl Iterator<Item = Vector3<f64>> + use<> {
         let (held, count) = match self.axes {
             ConstrainedAxes::All => ([Vector3::x(), Vector3::y(), Vector3::z()], 3),
@@ -41,7 +41,7 @@ impl BilateralLaw {
         held.into_iter().take(count)
     }
 
-    /// The part of a vector along the held directions.
+    /// The component of a vector along the constrained directions.
     fn held(&self, v: Vector3<f64>) -> Vector3<f64> {
         match self.axes {
             ConstrainedAxes::All => v,
@@ -66,10 +66,10 @@ impl BilateralLaw {
     }
 }
 
-/// A bond's law with its W.
+/// A bilateral constraint's law with its W.
 #[derive(Debug, Clone, Copy)]
 pub struct BilateralSolve {
-    /// Force per free displacement, N/m.
+    /// Force per unconstrained displacement, N/m.
     stiffness: Matrix3<f64>,
 }
 
@@ -81,7 +81,7 @@ impl BilateralSolve {
         }
         let basis = Matrix3::from_columns(&held);
         let eigen = (basis.tr_mul(response) * basis + basis.tr_mul(&basis) * bilateral.compliance).symmetric_eigen();
-        // What no force can move takes none: the pseudoinverse.
+        // No force along directions that do not respond: the pseudoinverse.
         let least = 64.0 * f64::EPSILON * (response.trace().max(0.0) + bilateral.compliance);
         let inverse = eigen.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
         let turned = basis * eigen.eigenvectors;

@@ -1,4 +1,4 @@
-//! The laws as equations F(λ, u) = 0, linearised where (λ, u) is: what a semismooth Newton iteration over many touches needs
+//! The laws as equations F(λ, u) = 0, linearised where (λ, u) is: what a semismooth Newton iteration over many contacts needs
 //! (Alart and Curnier 1991; for fibres Bertails-Descoubes, Cadoux, Daviet and Acary 2011).
 
 use nalgebra::{Matrix3, Vector3};
@@ -26,8 +26,8 @@ impl Default for Linear {
 }
 
 impl Law {
-    /// The law at (λ, u). `response` is the touch's own W (see [`super::LawSolve::new`]): it gives displacements their weight beside forces.
-    /// A touch that nothing moves asks for λ = 0.
+    /// The law at (λ, u). `response` is the constraint's own W (see [`super::LawSolve::new`]), which weighs displacements
+    /// against forces. A contact that nothing moves asks for λ = 0.
     pub fn linearise(&self, u: &Vector3<f64>, lambda: &Vector3<f64>, response: &Matrix3<f64>, step: f64) -> Linear {
         if response.trace() <= 0.0 {
             return Linear { residual: *lambda, ..Linear::default() };
@@ -40,7 +40,7 @@ impl Law {
     }
 }
 
-/// One over the mean response along the normal and across it; a direction that does not give gets a hundredth of the other's.
+/// One over the mean response along the normal and across it; a direction without response gets a hundredth of the other's.
 fn weights(n: &Vector3<f64>, response: &Matrix3<f64>) -> [f64; 2] {
     let trace = response.trace();
     let along = n.dot(&(response * n));

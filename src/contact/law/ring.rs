@@ -45,7 +45,7 @@ pub struct RingSolve {
     tangent: Vector3<f64>,
     /// Across the tangent, along the axes in which W is diagonal there.
     sides: [Vector3<f64>; 2],
-    /// Per side: force per free displacement (N/m), and force per force along the tangent.
+    /// Per side: force per unconstrained displacement (N/m), and force per force along the tangent.
     stiffness: [f64; 2],
     carried: [f64; 2],
     /// S, m/N.

@@ -1,10 +1,12 @@
 //! The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
-/// Most evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in fewer.
+/// The largest number of evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in
+/// fewer.
 const MAX_EVALUATIONS: u32 = 200;
-/// A step of Newton's that changes x by less than this part of it is the last, since what it leaves of such a change is its square: a rounding,
+/// Newton's step that changes x by less than this fraction is the last, since its error is the square of that: for a solution
+/// to rounding,
 pub(super) const EXACT: f64 = 1e-10;
-/// or enough for who asks again, beginning there: sweeps, of a sixth less time so.
+/// or for a solve that is repeated from there, as in sweeps.
 pub(super) const NEAR: f64 = 1e-3;
 
 /// The root x of `f` above `least`. `f` gives value and slope; it must be positive at `least` (not evaluated there) and negative for all

@@ -1,4 +1,5 @@
-//! What a held substep came to: how the strands fared, the list of touches, what bodies and constraints bear.
+//! The results of a constrained substep: the outcomes of strands, the list of contacts, the loads of bodies and bilateral
+//! constraints.
 
 use nalgebra::Vector3;
 
@@ -10,38 +11,40 @@ use crate::solver::bodies::{Contact, ContactPartner};
 use crate::solver::report::Wrench;
 use crate::solver::strand::Tally;
 
-/// What contact came to in a call.
+/// The results of contact in a call.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ContactTally {
-    /// Touches that carried a force at the end of the last substep.
+    /// Contacts with a force at the end of the last substep.
     pub contacts: u32,
-    /// Searches that found touches which the one at a substep's start had not.
+    /// Searches that found contacts undetected by the one at the start of their substep.
     pub searches: u32,
-    /// Newton iterations of the island that took most.
+    /// The largest number of Newton iterations of an island.
     pub iterations: u32,
     /// Sweeps of the contact problem's solver, all islands and substeps together.
     pub sweeps: u64,
-    /// Islands whose iteration ended elsewhere than it should.
+    /// Islands whose iteration ended without converging.
     pub unconverged: u32,
     /// Largest residual of the laws, relative, see `docs/theory/contact.md`.
     pub residual: f64,
-    /// How deep surfaces were in each other at the end of a substep at most, m.
+    /// The largest depth of overlap at the end of a substep, m.
     pub penetration: f64,
-    /// The largest distance of a constraint from holding at the end of a substep, m.
+    /// The largest distance of a bilateral constraint from being satisfied at the end of a substep, m.
     pub constraint_error: f64,
-    /// Touches whose force is told as no more than hair can do, at the end of the last substep: what takes the strand its own length in the substep and
-    /// bends its elements by a radian; twice that where the touch's island is solved. What the laws ask for where there is no room, as in a root that stands in a
-    /// mesh, is no force.
+    /// Contacts at the end of the last substep whose force is reported as the largest that hair can exert: the force that moves
+    /// the strand by its own length in the substep and bends its elements by a radian; twice that if the contact's island has
+    /// converged. What the laws ask for where there is no room, as in a root inside a mesh, is no force.
     pub capped: u32,
-    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`](crate::contact::options::ContactOptions::tolerance) at the end of the last substep, and not exempt: it is where
-    /// the host put it, and no force parts the two. (`penetration` has how deep.)
+    /// Strands whose root was in a body by more than
+    /// [`ContactOptions::tolerance`](crate::contact::options::ContactOptions::tolerance) at the end of the last substep, and
+    /// not exempt: the host put it there, and no force separates the two. (`penetration` includes its depth.)
     pub roots_inside: u32,
 }
 
-/// Where all laws hold forces may be so many times what takes a strand its own length in a substep and bends its elements by a radian.
+/// Where all laws hold, forces may be this many times the force that moves a strand by its own length in a substep and bends
+/// its elements by a radian.
 const SOLVED: f64 = 2.0;
 
-/// Where it is told.
+/// Where the results are written.
 #[derive(Debug)]
 pub(in crate::solver) struct Account<'a> {
     pub tally: &'a mut Tally,
@@ -51,15 +54,15 @@ pub(in crate::solver) struct Account<'a> {
 }
 
 impl ConstrainedSubstep {
-    /// What the strands at a touch can press with, N.
+    /// The largest force that the strands of a contact can exert, N.
     fn max_force(&self, constraint: &StepConstraint, h: f64) -> f64 {
         let of =
             |end: ConstraintEnd| self.strands[end.strand as usize].usual_force(h) + self.strands[end.strand as usize].bending;
         constraint.ends().map(of).fold(f64::INFINITY, f64::min)
     }
 
-    /// Writes down what the strands and their joints came to, but for those that have taken the substep in parts; of these only the roots, which are
-    /// where the host has put them.
+    /// Writes down the results of strands and constraints, except those that have taken the substep in substeps; of these only
+    /// the roots, which are where the host has put them.
     pub(super) fn report(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
         let islands = &self.islands[..self.island_count];
         let contact = &mut *account.contact;
@@ -96,7 +99,8 @@ impl ConstrainedSubstep {
                             contact.penetration =
                                 contact.penetration.max(depth(constraint, &self.strands, scene.options.tolerance));
                         }
-                        // (What rubs still, and does not press any more, is no contact, nor what an iteration that was cut or given up left drawing.)
+                        // (A contact with friction but no pressure is none, nor is one that pulls, as left by an iteration that
+                        // was cut or given up.)
                         if constraint.force == Vector3::zeros()
                             || constraint.draws()
                             || scene.options.model.is_soft() && !constraint.presses()
@@ -126,7 +130,7 @@ impl ConstrainedSubstep {
                             _ => continue,
                         };
                         let slip = constraint.slip - normal * normal.dot(&constraint.slip);
-                        // A touch that was found elsewhere may say more than the search did.
+                        // The gap at the place where a contact was found may be deeper than the search says.
                         let gap = if was_searched { constraint.gap.max(-island.left.deep) } else { constraint.gap };
                         self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
                     }

@@ -1,17 +1,18 @@
-//! How many touches a strand may have. A strand's model grows with the square of them, in memory too: hair that was left in a heap of itself would
-//! have thousands. What is deepest is kept.
+//! The largest number of contacts of a strand. The cost and memory of a strand's model grow with the square of that number:
+//! hair left in a heap of itself would have thousands. The deepest are kept.
 
 use crate::contact::constrained_strand::ConstrainedStrand;
 use crate::contact::step_constraint::StepConstraint;
 
-/// The most touches an element of a strand has, on average.
+/// The largest mean number of contacts per element of a strand.
 const MAX_PER_ELEMENT: usize = 12;
-/// The fewest that it is thinned out to where time is short.
+/// The number to which it is reduced if time is short.
 const MIN_PER_ELEMENT: usize = 2;
-/// So many iterations there is to be work for.
+/// The budget has to last for this many iterations.
 const ITERATIONS: u64 = 6;
 
-/// Takes touches out where strands have too many of them, those first that are least deep; their strands are told as overlooked. `left`: the work that there is.
+/// Removes the least deep contacts of strands that have too many, and marks these strands as having undetected contacts.
+/// `left`: the work that is left.
 pub(super) fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [ConstrainedStrand], left: u64) {
     strands.iter_mut().for_each(|constrained| constrained.constraint_count = 0);
     for end in constraints.iter().flat_map(StepConstraint::ends) {
@@ -31,7 +32,7 @@ pub(super) fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [Con
     if strands.iter().all(|constrained| constrained.constraint_count <= room(constrained, most)) {
         return;
     }
-    // Constraints first.
+    // Bilateral constraints first.
     let mut order: Vec<u32> = (0..constraints.len() as u32).collect();
     let key = |index: &u32| (constraints[*index as usize].is_contact(), constraints[*index as usize].gap);
     order.sort_by(|a, b| {

@@ -1,5 +1,6 @@
-//! By which formula held strands take their step. A two-step formula makes an impact ring: a strand that something presses takes the step, and
-//! the one after it, by implicit Euler. One that nothing presses, however near it is, goes as it would alone.
+//! The integration formula of constrained strands. A two-step formula rings after an impact: a strand that something presses
+//! takes the step, and the next one, by implicit Euler. A strand that nothing presses, however near it is, steps as it would
+//! alone.
 
 use super::{ConstrainedSubstep, Scene};
 use crate::contact::constrained_strand::ConstrainedStrand;
@@ -8,15 +9,15 @@ use crate::memory::recycled;
 use crate::step::options::Integrator;
 
 impl ConstrainedSubstep {
-    /// Before the first iteration: the step of strands that would run into what they are near begins again by implicit Euler. What the
-    /// others have done for that is the first half of their first iteration.
+    /// Before the first iteration: strands that would run into something near begin the step again by implicit Euler. The work
+    /// done for this prediction is the first half of the others' first iteration.
     pub(super) fn predict_pressed(&mut self, scene: &mut Scene, h: f64) {
         if scene.setting.options.integrator != Integrator::SecondOrder {
             return;
         }
         let Self { strands, islands, packs, count, island_count, at_work, asked, pressed, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
-        // Of the islands that have touches and strands on their own formula.
+        // Islands with contacts and with strands that use their own formula.
         let is_asked = |island: &Island, strands: &[ConstrainedStrand]| {
             island.strands.iter().any(|constrained| !strands[*constrained as usize].first_order) && island.has_contacts()
         };
@@ -34,7 +35,7 @@ impl ConstrainedSubstep {
             }
         });
         *at_work = recycled(refreshed);
-        // (What it takes is counted when it would be due.)
+        // (Its cost is counted when it would be due.)
         meter.uncounted(|| {
             packs.linearise(strands, islands, scene.workers, meter, |constrained| asked[constrained.island as usize])
         });
@@ -55,8 +56,8 @@ impl ConstrainedSubstep {
         Self::restart(scene, packs, strands, h);
     }
 
-    /// After an island's contact problem: marks those of its strands for a new beginning that a touch presses and that are not on implicit
-    /// Euler yet. What nobody foresaw is little.
+    /// After an island's contact problem: marks strands under pressure that are not on implicit Euler yet, so that they begin
+    /// again. Few are left to be found here.
     pub(super) fn begin_pressed_again(island: &Island, strands: &mut [ConstrainedStrand]) {
         for constraint in island.constraints.iter().filter(|constraint| constraint.presses()) {
             for end in constraint.ends() {

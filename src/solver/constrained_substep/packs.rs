@@ -1,7 +1,7 @@
-//! Held strands side by side: which go together in a pack, and each half of an iteration pack by pack.
+//! Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
 //!
-//! Strands of a kind are packed by how many iterations they took last time, so that a pack does not wait for one of its own. A strand that
-//! begins its step again leaves its pack for one of those that do. Who shares a pack changes nobody's result.
+//! Strands with one pack key are packed by their numbers of iterations in the last step, so that a pack does not wait for one
+//! of its strands. A strand that begins its step again moves to a pack of such strands. No result depends on the pack.
 
 use super::Scene;
 use crate::contact::constrained_strand::{ConstrainedStrand, FirstHalf};
@@ -19,7 +19,7 @@ use crate::step::members::{Pack, PackKey};
 use crate::step::state::StrandState;
 use crate::step::{Setting, packs};
 
-/// The most strands of a pack.
+/// The largest number of strands of a pack.
 const MAX_LANES: usize = 8;
 
 /// The packs of a substep; more may be kept for their memory.
@@ -27,42 +27,43 @@ const MAX_LANES: usize = 8;
 pub(super) struct Packs {
     packs: Vec<AnyPack>,
     count: usize,
-    /// Those that begin: by formula and kind, then by iterations; and their places among the held strands.
+    /// Beginning strands, sorted by formula and pack key, then by iterations; the last number is the index among the
+    /// constrained strands.
     order: Vec<(bool, PackKey, u32, u32)>,
-    /// Memory of lists of packs at work.
+    /// Memory for lists of packs.
     strand_work: Vec<Work<'static, &'static mut ConstrainedStrand>>,
     pair_work: Vec<Work<'static, Pair<'static>>>,
 }
 
-/// A pack, and strands of it by their lanes.
+/// A pack, and its strands by their lanes.
 #[derive(Debug)]
 pub(super) struct Work<'a, M> {
     pub pack: &'a mut AnyPack,
     pub members: [Option<M>; MAX_LANES],
 }
 
-/// A held strand, and what the scene has of it.
+/// A constrained strand with its scene strand.
 pub(super) type Pair<'a> = (&'a mut Strand, &'a mut ConstrainedStrand);
 
 impl Packs {
-    /// Nothing is packed.
+    /// Removes all packs.
     pub fn clear(&mut self) {
         self.count = 0;
     }
 
-    /// Works on the packs of held strands.
+    /// Runs something on the packs of constrained strands.
     fn with_strands(&mut self, strands: &mut [ConstrainedStrand], run: impl FnOnce(&mut [Work<'_, &mut ConstrainedStrand>])) {
         let place = |constrained: &&mut ConstrainedStrand| (constrained.pack, constrained.lane);
         with_work(&mut self.packs[..self.count], &mut self.strand_work, strands.iter_mut(), place, run);
     }
 
-    /// Works on the packs of held strands and of what the scene has of them.
+    /// Runs something on the packs of constrained strands with their scene strands.
     pub fn with_pairs<'a>(&mut self, pairs: impl Iterator<Item = Pair<'a>>, run: impl FnOnce(&mut [Work<'_, Pair<'a>>])) {
         let place = |(_, constrained): &Pair| (constrained.pack, constrained.lane);
         with_work(&mut self.packs[..self.count], &mut self.pair_work, pairs, place, run);
     }
 
-    /// Packs those of the held strands that are to begin, and begins their step of `h` seconds.
+    /// Packs the constrained strands for which `begins` is true, and begins their step of `h` seconds.
     pub fn begin(
         &mut self,
         scene: &mut Scene,
@@ -95,7 +96,7 @@ impl Packs {
         }
         self.packs.resize_with(self.packs.len().max(self.count), AnyPack::default);
         let pairs = super::ConstrainedSubstep::pairs(scene.strands, constrained).filter(|(_, constrained)| begins(constrained));
-        // (Constraints are told of with the paths of their strands, whatever halted the step.)
+        // (Bilateral constraints are reported with the paths of their strands, whatever halted the step.)
         let (constrained, meter, workers) = (!scene.constraints.is_empty(), scene.meter, scene.workers);
         let begin = |Work { pack, members }: &mut Work<Pair>| {
             if !constrained && meter.is_halted() {
@@ -113,7 +114,7 @@ impl Packs {
         self.with_pairs(pairs, |work| workers.for_each(work, |work, _| begin(work)));
     }
 
-    /// The first half of an iteration of the strands whose islands are `asked`.
+    /// The first half of an iteration of the strands that are `asked`.
     pub fn linearise(
         &mut self,
         strands: &mut [ConstrainedStrand],
@@ -142,7 +143,7 @@ impl Packs {
         self.with_strands(strands, |work| workers.for_each(work, |work, _| linearise(work)));
     }
 
-    /// The second half of the strands whose islands go on.
+    /// The second half, of strands whose islands go on.
     pub fn advance(
         &mut self,
         strands: &mut [ConstrainedStrand],
@@ -155,7 +156,7 @@ impl Packs {
             let mut goes = [false; MAX_LANES];
             for (lane, constrained) in running(members) {
                 let island = &islands[constrained.island as usize];
-                // (Where the contact problem was left there are no forces to go by.)
+                // (Without a solved contact problem there are no forces.)
                 if !island.done && !meter.is_halted() {
                     goes[lane] = constrained.advances(island);
                     meter.spend(constrained.half_work());
@@ -180,7 +181,7 @@ impl Packs {
     }
 }
 
-/// Works on the packs that some of `items` are in, whose places are a pack and a lane, in a list that keeps its `memory`.
+/// Runs something on the packs of `items`, whose `place` is a pack and a lane, in a list that keeps its `memory`.
 fn with_work<'a, M, S>(
     packs: &'a mut [AnyPack],
     memory: &mut Vec<S>,
@@ -200,7 +201,7 @@ fn with_work<'a, M, S>(
 }
 
 impl Work<'_, Pair<'_>> {
-    /// Works out the ends of the strands that `ends` is true of.
+    /// Computes the ends of the strands for which `ends` is true.
     pub fn finish(&mut self, setting: &Setting, h: f64, ends: impl Fn(&ConstrainedStrand) -> bool) {
         let mut strands = [const { None }; MAX_LANES];
         let mut lanes = [const { None }; MAX_LANES];
@@ -213,7 +214,7 @@ impl Work<'_, Pair<'_>> {
     }
 }
 
-/// Strands by their lanes; in others, which nobody asks for, there is one of these.
+/// Strands by their lanes; unused lanes show one of them.
 struct Present<'a>([Option<&'a mut Strand>; MAX_LANES]);
 
 impl Present<'_> {

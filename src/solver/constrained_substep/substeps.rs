@@ -1,7 +1,8 @@
-//! Strands of islands that have not come to their end take the substep again, in parts: where touches are left deep, and always where they are
-//! few, which costs little. Each half begins where the one before has left them; there are halves of halves, as often as free strands' steps
-//! may be halved ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The others have gone on, and are not
-//! seen meanwhile: an island that comes deeper into them so than it was left goes back to that.
+//! Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they
+//! are small, which costs little. Each half begins where the one before has ended; halves are halved again as often as the
+//! steps of unconstrained strands ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The
+//! other strands are already at the end and are not seen meanwhile: an island that ends deeper in them than before keeps its
+//! end of the whole substep.
 
 use super::account::{Account, ContactTally};
 use super::{ConstrainedSubstep, Scene};
@@ -15,35 +16,36 @@ use crate::solver::report::Wrench;
 use crate::solver::strand::{Constrained, Strand, Tally};
 use crate::step::StrandOutcome;
 
-/// Surfaces that are so many tolerances in each other are deep.
+/// Overlap of more than this many tolerances is deep.
 const DEEP: f64 = 2.0;
 
-/// A strand that is to take the substep in parts.
+/// A strand that is to take the substep in substeps.
 #[derive(Debug)]
 pub(super) struct BeforeSubsteps {
-    /// Its place among the held strands.
+    /// Its index among the constrained strands.
     strand: usize,
-    /// As the substep found it.
+    /// The strand before the substep.
     before: Strand,
 }
 
-/// What parts came to.
+/// The results of substeps.
 #[derive(Debug, Default)]
 pub(super) struct Substeps {
     reported: ContactTally,
-    /// On the bodies, by the last of them.
+    /// On the bodies, of the last substep.
     wrenches: Vec<Wrench>,
-    /// Of the strands that have kept them.
+    /// Of the strands that keep their results.
     outcomes: Vec<StrandOutcome>,
 }
 
 impl ConstrainedSubstep {
-    /// Marks the islands that are to take the substep in parts, and gives their strands as the substep found them.
+    /// Selects the islands that take the substep in substeps, and returns their strands as they were before it.
     pub(super) fn choose_subdivided(&mut self, scene: &Scene) -> Vec<BeforeSubsteps> {
         let deep = DEEP * scene.options.tolerance;
         for island in self.islands[..self.island_count].iter_mut() {
             let may = island.failed() && !island.has_bilateral() && !scene.options.model.is_soft();
-            // (A tangle of large ones that cannot be held takes a while each time. What two surfaces push into each other no part gets out.)
+            // (A large tangle that cannot be satisfied is expensive. Substeps do not separate what two surfaces push into each
+            // other.)
             let large = !scene.is_nested && (island.ending.diverged || island.left.newly > deep);
             let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
             island.is_subdivided = may && (few || large);
@@ -58,8 +60,8 @@ impl ConstrainedSubstep {
             .collect()
     }
 
-    /// Takes the islands in question through the two halves of a substep of `h` seconds, which may be halved `levels` times more. They end as
-    /// whole steps have left them where that is less deep.
+    /// Takes the selected islands through the two halves of a substep of `h` seconds, which may be halved `levels` times more.
+    /// Islands that the whole substep left less deep return to that.
     pub(super) fn take_substeps(&mut self, scene: &mut Scene, h: f64, levels: u32, taking: &[BeforeSubsteps]) -> Substeps {
         let index =
             |constrained_substep: &Self, taking: &BeforeSubsteps| constrained_substep.strands[taking.strand].index as usize;
@@ -78,13 +80,13 @@ impl ConstrainedSubstep {
                 self.islands[..self.island_count].iter_mut().for_each(|island| island.is_subdivided = false);
                 return Substeps::default();
             }
-            // Of the parts' own ends the first ones are on the way, and none knows of the others.
+            // The substeps' own depths are not those at the end, and do not include the other strands.
             substeps.reported.penetration = 0.0;
             let (left, mut some_go_back) = (self.depths(scene, &bodies, |constrained| self.is_subdivided(constrained)), false);
             for (k, island) in self.islands[..self.island_count].iter_mut().enumerate().filter(|(_, island)| island.is_subdivided)
             {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
-                // (Where strands had to stay as the step found them, there is nothing to go back to.)
+                // (Strands that stayed as they were when the step began have no end to return to.)
                 island.is_subdivided = left[k] <= most || island.ending.diverged;
                 some_go_back |= !island.is_subdivided;
                 substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
@@ -92,7 +94,7 @@ impl ConstrainedSubstep {
             if !some_go_back {
                 return substeps;
             }
-            // The others take their parts anew: some of what they met in them ends elsewhere now.
+            // The others repeat their substeps: some of the strands that they met now end elsewhere.
             for (taking, whole) in taking.iter().zip(&whole).filter(|(taking, _)| !self.is_subdivided(taking.strand)) {
                 scene.strands[index(self, taking)].clone_from(whole);
             }
@@ -121,7 +123,7 @@ impl ConstrainedSubstep {
             bodies.iter_mut().for_each(|body| body.begin(half));
             let copies = || bodies.clone();
             let at: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.at(k as u32, half)).collect();
-            // Constraints hold none of them.
+            // They have no bilateral constraints.
             let (strands, constraints) = (&mut *scene.strands, &mut [][..]);
             let mut part = Scene { strands, constraints, bodies: &at, copies: &copies, is_nested: true, ..*scene };
             let account = Account { tally: &mut Tally::default(), contact: &mut reported, wrenches: &mut wrenches };
@@ -138,7 +140,7 @@ impl ConstrainedSubstep {
         Substeps { reported, wrenches, outcomes }
     }
 
-    /// Adds what strands came to in parts to what is told of the others.
+    /// Adds the results of substeps to the report.
     pub(super) fn add_substeps(&mut self, substeps: &Substeps, account: Account) {
         let taking: Vec<usize> = (0..self.count).filter(|constrained| self.is_subdivided(*constrained)).collect();
         for (constrained, outcome) in taking.into_iter().zip(&substeps.outcomes) {
@@ -156,13 +158,13 @@ impl ConstrainedSubstep {
         }
     }
 
-    /// Whether a strand takes the substep in parts: the end that the whole has for it is not to be.
+    /// Whether a strand takes the substep in substeps, so that its end of the whole one is dropped.
     pub(super) fn is_subdivided(&self, constrained: usize) -> bool {
         self.islands[self.strands[constrained].island as usize].is_subdivided
     }
 
-    /// Tells the islands how deep their strands are where some of them go along with their roots after all, or are rolled back: where the iteration left
-    /// these no longer counts. (Not in a part of a substep, nor of islands that take parts: there nobody asks.)
+    /// Measures the depth of islands with strands that move with their roots or are rolled back: for these the end of the
+    /// iteration no longer counts. (Not within a nested substep, nor of islands that are subdivided.)
     pub(super) fn report_replaced(&mut self, scene: &Scene, h: f64) {
         let is_replaced = |constrained: &ConstrainedStrand| constrained.carried || constrained.step.outcome.quarantined;
         if scene.is_nested || scene.meter.is_halted() || !self.strands[..self.count].iter().any(is_replaced) {
@@ -180,7 +182,8 @@ impl ConstrainedSubstep {
         }
     }
 
-    /// Where bodies rest when a substep of `h` seconds is over. Not in a part of one, where nobody is to ask.
+    /// Copies of the bodies at rest at the end of a substep of `h` seconds; none in a nested substep, where they are not
+    /// needed.
     fn bodies_at_end(scene: &Scene, h: f64) -> Vec<Body> {
         let mut bodies = if scene.is_nested { Vec::new() } else { (scene.copies)() };
         for body in &mut bodies {
@@ -191,8 +194,8 @@ impl ConstrainedSubstep {
         bodies
     }
 
-    /// How deep the islands of the strands in question are in what there is, m: as everything is now, whatever touches there were. Of a part of a
-    /// substep that cannot be told: other strands are elsewhere then.
+    /// The depths of the islands of the `asked` strands, m, in the current scene and independent of known contacts. Zero in a
+    /// nested substep, where other strands are elsewhere.
     fn depths(&self, scene: &Scene, bodies: &[Body], asked: impl Fn(usize) -> bool + Sync) -> Vec<f64> {
         let mut depths = vec![0.0_f64; self.island_count];
         if scene.is_nested {
@@ -208,7 +211,7 @@ impl ConstrainedSubstep {
         let now = CurrentScene { strands, slots, constraints, bodies: &bodies, hair: options.hair, workers };
         for deep in now.deep_places(|index| island(index).is_some()) {
             let (place, other) = match deep.partner {
-                // The root is where the host has put it.
+                // The host has put the root there.
                 Partner::Body { .. } if deep.point.element == 0 && deep.point.s == 0.0 => continue,
                 Partner::Body { .. } => (deep.point, None),
                 Partner::Strand(other) => (deep.point, Some(other)),
@@ -222,7 +225,7 @@ impl ConstrainedSubstep {
 }
 
 impl ContactTally {
-    /// Adds what the parts of a substep came to.
+    /// Adds the results of nested substeps.
     fn add_substeps(&mut self, substeps: &Self) {
         self.contacts += substeps.contacts;
         self.searches = self.searches.max(substeps.searches);

@@ -1,4 +1,5 @@
-//! What a substep promises whose searches are spent before all is found. Sixteen are hardly ever: here there are one or two.
+//! Substeps in which the limit of searches is reached before all contacts are found. Sixteen searches hardly ever are too few:
+//! here the limit is one or two.
 
 use std::sync::Arc;
 
@@ -53,14 +54,14 @@ fn swing(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) {
     solver.set_body_frames(&[ball], &[Frame { origin: offset, ..Frame::default() }], H).unwrap();
 }
 
-/// The deepest that anything is in anything, asked anew.
+/// The deepest that anything is in anything, asked again.
 fn deepest(solver: &mut Solver, ids: &[StrandId]) -> f64 {
     solver.overlaps(ids).unwrap().iter().fold(0.0, |deepest, overlap| deepest.max(overlap.hair).max(overlap.bodies))
 }
 
-/// What the last search finds, and nothing holds any more, is told: as a step that is not solved, and as deep as it is.
+/// What the last search finds, and nothing holds any more, is reported: as a step that is not solved, and as deep as it is.
 #[test]
-fn what_searches_that_are_spent_leave_is_told() {
+fn what_exhausted_searches_leave_is_reported() {
     {
         let model = ContactModel::Coulomb;
         let (mut solver, ids, defs) = layers(model, 12);
@@ -79,7 +80,7 @@ fn what_searches_that_are_spent_leave_is_told() {
                     report.contact.unconverged > 0 || before > 2.0 * tolerance,
                     "{model:?}, step {step}: {deep:e} deep, and solved"
                 );
-                assert!(reported > 0.9 * deep, "{model:?}, step {step}: {deep:e} deep, told as {reported:e}");
+                assert!(reported > 0.9 * deep, "{model:?}, step {step}: {deep:e} deep, reported as {reported:e}");
                 (left, most) = (left + 1, most.max(deep));
             }
             before = deep;
@@ -92,8 +93,8 @@ fn what_searches_that_are_spent_leave_is_told() {
 /// A step that islands take in parts leaves nothing deeper than the same step in one piece: strands that have come into those that had gone on
 /// already go back.
 #[test]
-fn parts_leave_nothing_deeper_than_the_whole_did() {
-    let (mut deeper, mut better, mut taking) = (Vec::new(), 0, 0);
+fn substeps_leave_nothing_deeper_than_the_whole_step() {
+    let (mut deeper, mut better, mut subdivided) = (Vec::new(), 0, 0);
     let (mut solver, ids, defs) = layers(ContactModel::Coulomb, 40);
     for step in 0..60 {
         swing(&mut solver, &ids, &defs, 3 * step);
@@ -103,7 +104,7 @@ fn parts_leave_nothing_deeper_than_the_whole_did() {
             solver.restore(&before).unwrap();
             (solver.options.step.max_subdivisions, solver.constrained_substep.max_searches) = (levels, Some(2));
             let report = solver.step(H, 1).unwrap();
-            taking += report.subdivided;
+            subdivided += report.subdivided;
             *left = deepest(&mut solver, &ids);
         }
         let allowed = left[0].max(1e-4) + 1e-5;
@@ -112,7 +113,7 @@ fn parts_leave_nothing_deeper_than_the_whole_did() {
         }
         better += u32::from(left[1] < 0.5 * left[0]);
     }
-    println!("{taking} strand steps in parts, half as deep in {better} steps");
-    assert!(taking > 20 && better >= 3, "{taking} {better}");
+    println!("{subdivided} strand steps in substeps, half as deep in {better} steps");
+    assert!(subdivided > 20 && better >= 3, "{subdivided} {better}");
     assert!(deeper.is_empty(), "{deeper:?}");
 }

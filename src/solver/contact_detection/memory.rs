@@ -1,16 +1,16 @@
-//! What is kept of touches from substep to substep, taken out and put back, for images of a scene.
+//! The contacts kept from substep to substep, saved and restored for snapshots.
 
 use super::{ContactDetection, WarmStartForce, With};
 use crate::contact::hair_pairs::PairMemory;
 
-/// The last substep's touches, and the pairs of strands that were near each other.
+/// The last substep's contact forces, and the pairs of strands near each other.
 #[derive(Debug, Clone, Default)]
 pub(in crate::solver) struct ContactMemory {
     pub warm_start: Vec<WarmStartForce>,
     pub pairs: Option<NearStrands>,
 }
 
-/// Which strands the search was for (indices, ascending), and its memory.
+/// The strands of the search (indices, ascending), and its memory.
 #[derive(Debug, Clone)]
 pub(in crate::solver) struct NearStrands {
     pub of: Vec<u32>,
@@ -25,8 +25,8 @@ impl ContactDetection {
         ContactMemory { warm_start: self.warm_start.clone(), pairs }
     }
 
-    /// Goes on from there. False, and nothing is done, where its parts do not belong together or to the scene: `elements` gives the
-    /// lengths of a strand's elements, `bodies` is their number.
+    /// Restores it. False, with nothing changed, if its contents are inconsistent or do not belong to the scene: `elements`
+    /// gives the lengths of a strand's elements, `bodies` is the number of bodies.
     pub fn take_up<'a>(&mut self, memory: ContactMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> bool {
         let there = |seen: &WarmStartForce| {
             let with = match seen.with {

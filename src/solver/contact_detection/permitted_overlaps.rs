@@ -1,4 +1,4 @@
-//! Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
+//! Contacts of strands with permitted overlaps: their surfaces are nearer to their centrelines there.
 
 use crate::chain::load::MaterialPoint;
 use crate::contact::constrained_strand::ConstrainedStrand;
@@ -6,7 +6,7 @@ use crate::contact::contact_point::{ContactPoint, Partner};
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::solver::strand::Strand;
 
-/// Takes back the surface of a strand in its touches with bodies; those that are farther than `within` (m) then are none.
+/// Reduces a strand's surface in its contacts with bodies, and removes contacts that are then further away than `within` (m).
 pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap: &PermittedOverlap, within: f64) {
     let mut found = std::mem::take(&mut constrained.found);
     let path = constrained.path();
@@ -18,7 +18,7 @@ pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap
     constrained.root_gap += permitted_overlap.sunk(0.0);
 }
 
-/// The same for touches between strands.
+/// The same for contacts between strands.
 pub fn give_way_to_hair(all: &[Strand], strands: &[ConstrainedStrand], activation: f64, contacts: &mut Vec<ContactPoint>) {
     contacts.retain_mut(|contact| {
         let Partner::Strand(other) = contact.partner else { return true };
@@ -35,13 +35,14 @@ pub fn give_way_to_hair(all: &[Strand], strands: &[ConstrainedStrand], activatio
             permitted_overlaps[end].map_or(1.0, fraction) * constrained.contact.wisp_radius
         };
         let [a, b] = ends.map(|(constrained, place)| constrained.path().now.position(place.element as usize, place.s));
-        // A knot may have left less of the radii.
+        // A knot may leave less of the radii.
         contact.gap = contact.gap.max(contact.normal.dot(&(a - b)) - (radius(0) + radius(1)));
         contact.gap <= activation
     });
 }
 
-/// How far from the centreline a strand begins for bodies at a station, m; below zero where it may be in one by more than its radius.
+/// The distance of a strand's surface from the centreline for bodies, m; negative where the permitted overlap exceeds its
+/// radius.
 pub fn radius(all: &[Strand], constrained: &ConstrainedStrand, material_point: &MaterialPoint) -> f64 {
     let permitted_overlap = all[constrained.index as usize].permitted_overlap.as_deref();
     constrained.contact.radius

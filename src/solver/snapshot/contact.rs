@@ -10,7 +10,7 @@ use crate::contact::pieces::{Piece, Wisp};
 use crate::error::Result;
 use crate::solver::contact_detection::{ContactMemory, NearStrands, WarmStartForce, With};
 
-/// Says that touches are with a strand, beside their number.
+/// Says that contacts are with a strand, beside their number.
 const STRAND: u32 = 1 << 31;
 
 impl Writer {
