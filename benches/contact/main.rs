@@ -207,7 +207,7 @@ fn main() -> Outcome<()> {
     }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
-        "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,touches,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
+        "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
     );
     println!(
         "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",

@@ -163,7 +163,7 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
 /// The table; `quick`: its smallest rows, a few steps.
 pub fn table(head: &Arc<Shape>, quick: bool) -> Outcome<String> {
     let mut csv = String::from(
-        "case,model,strands,touches,ms_a_step,us_a_touch,iterations,touches_found,search_ms,search_us_a_touch_found,unconverged\n",
+        "case,model,strands,contacts,ms_a_step,us_a_contact,iterations,contacts_found,search_ms,search_us_a_contact_found,unconverged\n",
     );
     let (rows, steps) = if quick { (1, 4) } else { (TUFTS.len(), STEPS) };
     let mut add = |scene: &Scene| -> Outcome<()> {

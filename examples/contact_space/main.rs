@@ -38,7 +38,7 @@ fn main() {
                 let time = start.elapsed().as_secs_f64();
                 let active = forces.iter().filter(|f| f.norm() > 0.0).count();
                 println!(
-                    "{name:14} {stage} {tolerance:e}: {:5} sweeps {:8.2} ms (prepare {:.2}), residual {:.1e}, {} touches, {active} active, force {:.1e} N",
+                    "{name:14} {stage} {tolerance:e}: {:5} sweeps {:8.2} ms (prepare {:.2}), residual {:.1e}, {} contacts, {active} active, force {:.1e} N",
                     report.sweeps,
                     1e3 * time,
                     1e3 * prepared,

@@ -56,7 +56,7 @@ pub fn once(strands: usize, frames: usize) {
 
 /// Writes the table.
 pub fn table(out: &str) {
-    let mut csv = "strands,touches,step_ms,hand_over_ms,longest_hand_over_ms\n".to_string();
+    let mut csv = "strands,contacts,step_ms,hand_over_ms,longest_hand_over_ms\n".to_string();
     for strands in [20, 100, 1000] {
         let mut cost = comb(strands, 168, true);
         // From the time at which the comb is in the hair.

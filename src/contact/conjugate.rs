@@ -18,16 +18,16 @@ use crate::workers::{Team, WorkerSet};
 /// The iteration's memory.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Conjugate {
-    forces: Past<Vector3<f64>>,
+    forces: Kept<Vector3<f64>>,
     /// Displacements along the directions.
-    displacements: Past<f64>,
+    displacements: Kept<f64>,
     /// |gradient|² of the last sweep; zero: none yet.
     square: f64,
 }
 
 /// What is kept of a list.
 #[derive(Debug, Clone, Default)]
-struct Past<T> {
+struct Kept<T> {
     /// Its values before the last sweep.
     before: Vec<T>,
     /// The last direction.
@@ -35,7 +35,7 @@ struct Past<T> {
 }
 
 /// A subdomain's section of a list, and of what is kept of it.
-struct Share<'a, T> {
+struct Section<'a, T> {
     now: &'a mut [T],
     before: &'a mut [T],
     direction: &'a mut [T],
@@ -45,13 +45,13 @@ struct Share<'a, T> {
 struct Coordinates<'a> {
     /// The first one among all.
     from: usize,
-    displacements: Share<'a, f64>,
+    displacements: Section<'a, f64>,
 }
 
 /// The contacts of a subdomain.
-struct Touches<'a> {
+struct Contacts<'a> {
     rows: &'a mut [Row],
-    forces: Share<'a, Vector3<f64>>,
+    forces: Section<'a, Vector3<f64>>,
     /// Its contribution to |gradient|².
     square: f64,
 }
@@ -103,15 +103,15 @@ impl Conjugate {
         let (subdomains, bilateral) = (space.subdomains(), &*bilateral);
         let all = [displacements.len(), rows.len()];
         let mut from = 0;
-        let coordinates = self.displacements.fractions(displacements, || subdomains.coordinate_ends(all[0]));
+        let coordinates = self.displacements.sections(displacements, || subdomains.coordinate_ends(all[0]));
         let coordinates = coordinates.map(|displacements| {
             let end = from + displacements.now.len();
             Mutex::new(Coordinates { from: std::mem::replace(&mut from, end), displacements })
         });
         let coordinates: Vec<_> = coordinates.collect();
-        let forces = self.forces.fractions(forces, || subdomains.constraint_ends(all[1]));
+        let forces = self.forces.sections(forces, || subdomains.constraint_ends(all[1]));
         let constraints = split(rows, subdomains.constraint_ends(all[1])).zip(forces);
-        let constraints: Vec<_> = constraints.map(|(rows, forces)| Mutex::new(Touches { rows, forces, square: 0.0 })).collect();
+        let constraints: Vec<_> = constraints.map(|(rows, forces)| Mutex::new(Contacts { rows, forces, square: 0.0 })).collect();
 
         let turn = RwLock::new(Turn { level: 0, first: 0, after: AfterSweep::Nothing, kept: true });
         let sweep = |k: usize| {
@@ -151,7 +151,7 @@ impl Conjugate {
     }
 }
 
-impl<T: Copy + Default> Past<T> {
+impl<T: Copy + Default> Kept<T> {
     fn restart(&mut self, count: usize) {
         self.before.resize(count, T::default());
         self.direction.clear();
@@ -159,17 +159,17 @@ impl<T: Copy + Default> Past<T> {
     }
 
     /// The list and what is kept of it, subdomain by subdomain.
-    fn fractions<'a, I: Iterator<Item = usize> + 'a>(
+    fn sections<'a, I: Iterator<Item = usize> + 'a>(
         &'a mut self,
         now: &'a mut [T],
         ends: impl Fn() -> I,
-    ) -> impl Iterator<Item = Share<'a, T>> {
+    ) -> impl Iterator<Item = Section<'a, T>> {
         let before = split(&mut self.before, ends()).zip(split(&mut self.direction, ends()));
-        split(now, ends()).zip(before).map(|(now, (before, direction))| Share { now, before, direction })
+        split(now, ends()).zip(before).map(|(now, (before, direction))| Section { now, before, direction })
     }
 }
 
-impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Share<'_, T> {
+impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Section<'_, T> {
     /// Ends the last sweep, and keeps the values as they are before the next.
     fn begin(&mut self, turn: Turn) {
         match turn.after {
@@ -190,7 +190,7 @@ impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T
     }
 }
 
-impl Touches<'_> {
+impl Contacts<'_> {
     fn sweep(&mut self, space: &ContactSpace, bilateral: &BilateralElimination, displacements: impl Displacements, turn: Turn) {
         let Self { rows, forces, square } = self;
         forces.begin(turn);

@@ -317,7 +317,12 @@ impl ConstrainedStrand {
 
     /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have
     /// the forces `of_constraint` (on their first ends), by the linear model of its last iteration.
-    pub fn given_way(&self, point: u32, is_included: &[bool], of_constraint: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
+    pub fn resting_displacement(
+        &self,
+        point: u32,
+        is_included: &[bool],
+        of_constraint: impl Fn(usize) -> Vector3<f64>,
+    ) -> Vector3<f64> {
         // Symmetric: three columns are three rows.
         let size = 3 * self.modelled;
         let rows = &self.step.delassus.columns[3 * point as usize * size..][..3 * size];

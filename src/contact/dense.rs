@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn a_singular_matrix_is_told() {
+    fn a_singular_matrix_is_reported() {
         let n = 20;
         let mut a: Vec<f64> = (0..n * n).map(|k| ((k / n) % 5) as f64 + (k % n) as f64).collect();
         assert!(!solve(&mut a, &mut vec![1.0; n], &Meter::unlimited()));

@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_swept_side_by_side_hold_the_laws_and_are_the_same_bits_for_any_number_of_threads() {
+    fn subdomains_swept_side_by_side_satisfy_the_laws_with_the_same_bits_for_any_number_of_threads() {
         let (space, zeros) = four_parts();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
         let mut alone = zeros.clone();

@@ -324,8 +324,9 @@ impl Island {
         for (moved, end) in motions.iter_mut().zip(&self.ends[index][..ends]) {
             let strand = &strands[self.strands[end.strand as usize] as usize];
             if strand.resting {
-                let motion =
-                    strand.given_way(end.point, &self.is_included, |constraint| self.constraints[constraint].force).norm();
+                let motion = strand
+                    .resting_displacement(end.point, &self.is_included, |constraint| self.constraints[constraint].force)
+                    .norm();
                 let element = strand.length() / strand.step.now().1.len() as f64;
                 *moved = if motion.is_nan() { f64::INFINITY } else { motion / element };
             }

@@ -83,7 +83,7 @@ impl Island {
             let at = |end: End| {
                 let strand = &strands[self.strands[end.strand as usize] as usize];
                 if strand.resting {
-                    strand.given_way(end.point, &self.is_included, |_| Vector3::zeros())
+                    strand.resting_displacement(end.point, &self.is_included, |_| Vector3::zeros())
                 } else {
                     strand.unconstrained(end.point)
                 }

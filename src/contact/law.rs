@@ -155,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_rotation_diagonalises_whatever_it_is_given() {
+    fn the_rotation_diagonalises_any_matrix() {
         let numbers = [0.0, -0.0, 1.0, -1.0, 1.0 + 1e-15, 0.3, -0.7, 1e-9, -1e-9, 4e-200, 7e180];
         for a in numbers {
             for b in numbers {

@@ -27,7 +27,7 @@
 //! - `law.rs`: The laws of constraints, each with its exact solve for one constraint alone.
 //! - `nearest.rs`: The point of a strand that is nearest to a point, from one nearby.
 //! - `nearest_pair.rs`: The depth of contacts between strands, from the points where the strands are nearest.
-//! - `options.rs`: How contact is answered, and what strands and bodies are to it.
+//! - `options.rs`: Options of contact: the model, its tolerances, and the contact properties of strands.
 //! - `partition.rs`: Divides a large problem into subdomains that threads sweep side by side.
 //! - `patch.rs`: Patches: where sweeps over a large problem make no progress it is for a few closely coupled contacts.
 //! - `path_clearance.rs`: Whether a strand that has stepped unconstrained stayed clear of a body all the time: a bound on the distance, piece by piece and time by time.

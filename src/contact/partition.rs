@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn every_touch_of_a_part_is_between_its_strands() {
+    fn every_contact_of_a_subdomain_is_between_its_strands() {
         let (mut partition, constraints) = update(24, true);
         assert_eq!((partition.strand_ends.len(), partition.constraint_ends.len()), (4, 7));
         let mut order: Vec<u32> = (0..constraints.len() as u32).collect();
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_small_or_may_not_be_parted_stays_in_order() {
+    fn small_or_indivisible_problems_stay_in_order() {
         for (side, may) in [(8, true), (24, false)] {
             let (mut partition, constraints) = update(side, may);
             let mut order: Vec<u32> = (0..constraints.len() as u32).collect();

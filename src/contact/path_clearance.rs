@@ -115,13 +115,13 @@ impl Element<'_> {
 
 /// Whether distances decide if a strand is clear of a body: not of a deforming mesh, and not of a one-sided one, behind which
 /// distances jump.
-pub fn can_tell(body: &BodyAt) -> bool {
+pub fn can_decide(body: &BodyAt) -> bool {
     !body.deforms() && body.shape.mesh().is_none_or(|mesh| !matches!(mesh.sides(), Sides::Front { .. }))
 }
 
 impl FreePath<'_> {
     /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
-    /// where 256 balls do not decide it, and for a body whose distances cannot ([`can_tell`]).
+    /// where 256 balls do not decide it, and for a body whose distances cannot ([`can_decide`]).
     pub fn is_clear_of<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a BodyAt<'a>>,
@@ -155,7 +155,7 @@ impl FreePath<'_> {
     }
 
     fn is_clear_of_one(&self, body: &BodyAt, spare: f64, scratch: &mut ClearanceScratch) -> bool {
-        if !can_tell(body) {
+        if !can_decide(body) {
             return false;
         }
         // A sheet has no inside: what goes through it is on its other side.
@@ -416,7 +416,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_that_comes_meets_it_too() {
+    fn an_approaching_body_hits_the_strand() {
         for ball in balls() {
             let strand = [at(0.0, 0.0, 0.05); 2];
             let goes = |to: Vector3<f64>, angle: f64| {
@@ -430,7 +430,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_drawn_into_a_body_may_stay_there() {
+    fn a_permitted_overlap_with_a_body_may_stay() {
         let permitted_overlap = PermittedOverlap { along: vec![0.0], wisp_fractions: vec![1.0], sunk: vec![0.002] };
         for ball in balls() {
             let pose = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }; 2];
@@ -482,7 +482,7 @@ mod tests {
         // Behind a mesh that acts on one side distances jump.
         assert!(
             !still(&front, [at(-0.05, 0.0, 0.01), at(-0.05, 0.0, -0.1)])
-                && !can_tell(&BodyAt::new(0, &front, Frame::default(), Frame::default(), 0.0))
+                && !can_decide(&BodyAt::new(0, &front, Frame::default(), Frame::default(), 0.0))
         );
     }
 }

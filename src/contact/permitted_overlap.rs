@@ -3,8 +3,8 @@
 
 use crate::error::{Error, Result, check_not_negative};
 
-/// What a strand may overlap, told at material points along it, linear between them and constant beyond the first and the last. It is bound to
-/// arclength, not to elements, and stays where it is when these change.
+/// The permitted overlap of a strand, given at material points along it, linear between them and constant beyond the first and the
+/// last. It belongs to arclengths, not to elements, and stays when these change.
 ///
 /// ```
 /// use superhelix::{Solver, SolverOptions, StrandContact, StrandDef};
@@ -40,7 +40,7 @@ impl PermittedOverlap {
         }
         for (list, length) in [("wisp_fractions", self.wisp_fractions.len()), ("sunk", self.sunk.len())] {
             if length != count {
-                return Err(Error::invalid(format!("{name}.{list} (count)"), length, format!("{count}, one a station")));
+                return Err(Error::invalid(format!("{name}.{list} (count)"), length, format!("{count}, one per material point")));
             }
         }
         for (k, along) in self.along.iter().enumerate() {
@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_linear_between_stations_and_constant_beyond() {
+    fn it_is_linear_between_material_points_and_constant_beyond() {
         let permitted_overlap = PermittedOverlap {
             along: vec![0.01, 0.02, 0.04],
             wisp_fractions: vec![1.0, 0.5, 0.0],

@@ -80,7 +80,7 @@ mod tests {
     }
 
     /// The least distance of two curves during the motion, in which points move by at most `motion` each.
-    fn nearest_on_the_way(a: &Curve, b: &Curve, motion: f64) -> f64 {
+    fn nearest_in_motion(a: &Curve, b: &Curve, motion: f64) -> f64 {
         let at: Vec<f64> = (0..=TIMES).map(|k| distance(a, b, k as f64 / TIMES as f64)).collect();
         let mut least = at.iter().copied().fold(f64::INFINITY, f64::min);
         for k in 0..=TIMES {
@@ -136,17 +136,17 @@ mod tests {
             let (mut plain, mut of_these) = (0, 0);
             for _ in 0..1500 {
                 let [a, b] = random_pair(&mut random, motion, bow);
-                let (keep, least) = (keep(&a, &b), nearest_on_the_way(&a, &b, motion));
+                let (keep, least) = (keep(&a, &b), nearest_in_motion(&a, &b, motion));
                 assert!(!(keep && least < 1e-7), "{least:e}: {:?} {:?} {:?} {:?}", a.start, a.now, b.start, b.now);
                 (crossed, kept) = (crossed + u32::from(least < 1e-7), kept + u32::from(keep));
                 let far = least > 0.5 * motion + 2.0 * bow;
                 (plain, of_these) = (plain + u32::from(far), of_these + u32::from(far && keep));
             }
-            println!("go {motion}, bowed {bow}: {plain} plainly apart, {of_these} of these told so");
+            println!("go {motion}, bowed {bow}: {plain} plainly apart, {of_these} of these found so");
             assert!(f64::from(of_these) >= 0.9 * f64::from(plain), "{plain} {of_these}");
             all += plain;
         }
-        println!("{crossed} cross, {kept} are told to keep their sides");
+        println!("{crossed} cross, {kept} are found to keep their sides");
         assert!(crossed > 500 && kept > 1000 && all > 1000, "{crossed} {kept} {all}");
     }
 
@@ -158,7 +158,7 @@ mod tests {
         let swinging = [[v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0)], [v(0.0, 0.0, 0.0), v(-0.87, 0.0, 0.5)]];
         let still = [[v(0.2, -0.5, 0.12), v(0.2, 0.5, 0.12)]; 2];
         let [a, b] = [still, swinging].map(|[start, now]| Curve { start, now, bows: [Vector3::zeros(); 2] });
-        assert!(nearest_on_the_way(&a, &b, 2.0) < 1e-7);
+        assert!(nearest_in_motion(&a, &b, 2.0) < 1e-7);
         assert!(!keep(&a, &b) && !keep(&b, &a));
     }
 }

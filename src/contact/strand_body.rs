@@ -328,11 +328,11 @@ impl Search<'_, '_> {
                 let falls_and_rises = matches!(samples, [Some(a), Some(b)] if a.slope < 0.0 && b.slope >= 0.0);
                 let (Some(a), Some(b), true) = (samples[0], samples[1], falls_and_rises) else {
                     // Where the mean slope is not between those at the ends, these do not determine the distance.
-                    let told = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
+                    let determined = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
                         let mean = (b.value - a.value) / length;
                         mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3
                     });
-                    if !told && depth < DEEPEST_SPLIT {
+                    if !determined && depth < DEEPEST_SPLIT {
                         let s = 0.5 * (ends[0] + ends[1]);
                         let middle = ask(s);
                         pieces.push(Piece { ends: [s, ends[1]], samples: [middle, samples[1]], depth: depth + 1 });
@@ -449,10 +449,12 @@ impl Search<'_, '_> {
                     self.push(index, s, &nearest, gap);
                 }
                 // What is deeper in the body, up to its far side, came with it: the plane at the hit separates it.
-                if let Some(lost) = deepest.filter(|lost| lost.gap < gap.min(0.0) && !is_beside(&self.out[from..], lost.gap)) {
-                    let gap = hit.normal.dot(&(path.now.at(lost.point.s).0 - hit.point)) - self.thickness;
+                if let Some(behind) =
+                    deepest.filter(|behind| behind.gap < gap.min(0.0) && !is_beside(&self.out[from..], behind.gap))
+                {
+                    let gap = hit.normal.dot(&(path.now.at(behind.point.s).0 - hit.point)) - self.thickness;
                     if gap < 0.0 {
-                        self.push(index, lost.point.s, hit, gap);
+                        self.push(index, behind.point.s, hit, gap);
                     }
                 }
             }

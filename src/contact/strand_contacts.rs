@@ -120,7 +120,7 @@ impl TwoStrands<'_> {
         let inside = CROSSED * radii;
         let may_touch = chords.distance - sagittas <= radii + self.within;
         let may_have_crossed =
-            chords.distance - sagittas <= motion + inside && !keep_sides(a, b, ways_apart(a, b, [chords.t, chords.u]), inside);
+            chords.distance - sagittas <= motion + inside && !keep_sides(a, b, offsets(a, b, [chords.t, chords.u]), inside);
         if !may_touch && !may_have_crossed {
             return;
         }
@@ -239,7 +239,7 @@ impl TwoStrands<'_> {
 
 /// The offsets between two pieces' chords where they are nearest, at the start of the step and now, where that is at `now` (0
 /// to 1 along each).
-fn ways_apart(a: &MovingPiece, b: &MovingPiece, now: [f64; 2]) -> [Vector3<f64>; 2] {
+fn offsets(a: &MovingPiece, b: &MovingPiece, now: [f64; 2]) -> [Vector3<f64>; 2] {
     let before = closest_of_segments([&a.start[0], &a.start[1]], [&b.start[0], &b.start[1]]);
     let apart = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2], [t, u]: [f64; 2]| a[0].lerp(&a[1], t) - b[0].lerp(&b[1], u);
     [apart(&a.start, &b.start, [before.t, before.u]), apart(&a.now, &b.now, now)]

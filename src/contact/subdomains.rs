@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_are_numbered_level_by_level_and_two_strands_meet_where_their_parts_do() {
+    fn subdomains_are_numbered_level_by_level_and_the_smallest_with_both_strands_is_found() {
         assert!(levels(1).eq(std::iter::once(0..1)));
         assert_eq!(levels(4).collect::<Vec<_>>(), [0..4, 4..6, 6..7]);
         for a in 0..8 {

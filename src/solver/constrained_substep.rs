@@ -591,7 +591,7 @@ impl ConstrainedSubstep {
             });
             packs.linearise(strands, islands, scene.workers, meter, |constrained| !islands[constrained.island as usize].done);
             let begins = Instant::now();
-            share_out(islands, meter.left());
+            distribute_work(islands, meter.left());
             // Large islands one after the other, each by all threads; then the others in parallel, the largest first, as a few
             // take longer than all the others.
             let mut to_solve: Vec<&mut Island> = recycled(std::mem::take(at_work));
@@ -642,7 +642,7 @@ impl ConstrainedSubstep {
 }
 
 /// Distributes the work that is `left` among the unfinished islands by their numbers of constraints.
-fn share_out(islands: &mut [Island], left: u64) {
+fn distribute_work(islands: &mut [Island], left: u64) {
     let weight = |island: &Island| (island.constraints.len() + 1) as f64;
     let all: f64 = islands.iter().filter(|island| !island.done).map(weight).sum();
     for island in islands.iter_mut().filter(|island| !island.done) {

@@ -189,10 +189,10 @@ impl Solver {
         self.list_near(&still, within, out);
         self.contacts_by_strand(&mut out.last_contacts);
         let max_depth = OVERLAPS * self.options.contact.tolerance;
-        let held = Places { bodies, contacts: &out.last_contacts, constraints: &self.constraints, max_depth };
+        let acting = Places { bodies, contacts: &out.last_contacts, constraints: &self.constraints, max_depth };
         self.workers.for_each_task(&mut out.near[..out.near_count], TASK, usize::MAX, |strands, _| {
             for near in strands {
-                near.find(&self.strands[near.index as usize], &still, within, &held);
+                near.find(&self.strands[near.index as usize], &still, within, &acting);
             }
         });
         out.list();

@@ -162,7 +162,7 @@ impl ContactDetection {
                     constrained.find_bodies(scene.bodies, NEAR);
                     scene.meter.spend(constrained.path().now.elements.len() as u64 * WORK_AN_ELEMENT);
                     if let Some(permitted_overlap) = all[constrained.index as usize].permitted_overlap.as_deref() {
-                        permitted_overlaps::give_way_to_bodies(constrained, permitted_overlap, NEAR);
+                        permitted_overlaps::reduce_body_contacts(constrained, permitted_overlap, NEAR);
                     }
                 }
             });
@@ -218,7 +218,7 @@ impl ContactDetection {
                     scene.meter.spend(u64::from(group.candidates()) * WORK_A_CANDIDATE);
                 }
                 if allows {
-                    permitted_overlaps::give_way_to_hair(all, strands, within.min(pairs.activation()), contacts);
+                    permitted_overlaps::reduce_hair_contacts(all, strands, within.min(pairs.activation()), contacts);
                 }
             }
         });

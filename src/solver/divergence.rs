@@ -56,8 +56,8 @@ impl Strand {
     }
 
     /// The bodies' motions for it in the next substep of `h` seconds, if not their true ones. Its root's motion has begun.
-    pub fn body_motions(&self, h: f64, bodies: &[BodyAt], ways: &mut Vec<[Frame; 2]>) {
-        ways.clear();
+    pub fn body_motions(&self, h: f64, bodies: &[BodyAt], motions: &mut Vec<[Frame; 2]>) {
+        motions.clear();
         let from = self.bodies_from();
         if from.len() != bodies.len() {
             return;
@@ -66,7 +66,7 @@ impl Strand {
         let failed = (self.carried_for() / h).min(f64::from(MAX_HALVINGS)).round() as u32;
         let requested_fraction = 1.0 / f64::from(1_u32 << failed);
         let (root, length) = (self.root_during(h), self.model.length());
-        ways.extend(bodies.iter().zip(from).map(|(body, from)| {
+        motions.extend(bodies.iter().zip(from).map(|(body, from)| {
             let passing = Passing::new(from, body, &root, length);
             let near = !self.is_carried() || passing.travel <= NEAR_ENOUGH * passing.limit;
             let fraction =

@@ -211,7 +211,7 @@ impl Solver {
         Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
     }
 
-    /// Takes all strands through so many substeps of `h` seconds, each task its own.
+    /// Takes all strands through this many substeps of `h` seconds, each task its own.
     fn take_free(&mut self, h: f64, substeps: u32, meter: &Meter, total: &Mutex<Tally>) {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };

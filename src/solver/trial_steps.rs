@@ -56,7 +56,7 @@ impl TrialSteps {
                 continue;
             }
             let root = strand.root_during(h);
-            if near(strand, &root, bodies).any(|body| !path_clearance::can_tell(body)) {
+            if near(strand, &root, bodies).any(|body| !path_clearance::can_decide(body)) {
                 continue;
             }
             strand.constrained = Constrained::OnTrial;

@@ -90,7 +90,7 @@ const MAX_FORCE: f64 = 0.05;
 /// Alone, and as wisps that come into contact on the way: there every search for contacts gives the island a new first attempt,
 /// and the second must follow at whatever iteration the first ends.
 #[test]
-fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
+fn strands_pinned_out_of_reach_come_as_close_as_they_can() {
     let target = Vector3::new(0.12, 0.0, -0.09);
     for (model, wisp) in
         [ContactModel::Coulomb, ContactModel::Penalty].into_iter().flat_map(|model| [(model, 0.0), (model, 5e-4)])
@@ -112,7 +112,7 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
 /// Wisps pinned together behind a ball, in reach: penalties settle the contacts that press them step by step, and meanwhile the
 /// pins hold. (An island of theirs whose contact problem stays unsolved now and then is not idle, and must not end for that.)
 #[test]
-fn wisps_pinned_behind_a_ball_are_held() {
+fn wisps_pinned_behind_a_ball_stay_pinned() {
     let target = Vector3::new(0.039_819, 0.0, -0.063_249);
     let pose = Frame { origin: Vector3::new(0.019_532, 0.0, -0.031_025), ..Frame::default() };
     for wisp in [0.0, 5e-4] {

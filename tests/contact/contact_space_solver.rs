@@ -1,5 +1,5 @@
 //! The contact-space problem: its solver against the laws, on strands that respond to forces like cantilevers (Euler and Bernoulli's
-//! G(s, t) = s² (3 t − s)/6 for s ≤ t), and bonds against what they must hold.
+//! G(s, t) = s² (3 t − s)/6 for s ≤ t), and bilateral constraints against what they must hold.
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
@@ -57,7 +57,7 @@ const MU: Friction = Friction::Coulomb(Coefficient { mean: 0.3, lean: Vector3::n
 const SPRING: Response = Response::Penalty { stiffness: 10.0, damping: 0.01, depth_at_start: 1e-5 };
 
 #[test]
-fn the_laws_slopes_are_those_of_differences() {
+fn the_derivatives_of_the_laws_agree_with_finite_differences() {
     let mut numbers = Numbers(5);
     let mut tried = 0;
     for case in 0..4000 {
@@ -102,7 +102,7 @@ fn the_laws_slopes_are_those_of_differences() {
 }
 
 #[test]
-fn touches_of_one_strand_are_solved_at_once_however_near_each_other() {
+fn contacts_of_one_strand_are_solved_together_however_close_they_are() {
     // Twins a hundredth of a millimetre apart: what they give differently is 1e-10 of what they give alike.
     let places = [0.05, 0.08, 0.080_01, 0.12, 0.16, 0.160_01, 0.2];
     for (name, response, friction, tolerance) in [
@@ -191,7 +191,7 @@ fn viscous_friction_needs_no_normal_force() {
 
 const PIN: Law = Law::Bilateral(BilateralLaw { axes: ConstrainedAxes::All, compliance: 0.0 });
 
-/// Two strands of three points each, and touches on them.
+/// Two strands of three points each, and contacts on them.
 fn solved(constraints: &[(End, Option<End>, Law, Vector3<f64>)]) -> (ContactSpace, Vec<Vector3<f64>>, Report) {
     let mut space = ContactSpace::default();
     space.reset(STEP).unwrap();
@@ -206,7 +206,7 @@ fn solved(constraints: &[(End, Option<End>, Law, Vector3<f64>)]) -> (ContactSpac
     (space, forces, report)
 }
 
-/// How far each touch is from where it began, m.
+/// How far each contact is from where it began, m.
 fn relative(space: &ContactSpace, forces: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut displacements = Vec::new();
     space.displacements(forces, &mut displacements);
@@ -214,7 +214,7 @@ fn relative(space: &ContactSpace, forces: &[Vector3<f64>]) -> Vec<Vector3<f64>> 
 }
 
 #[test]
-fn bonds_hold_over_several_touches() {
+fn bilateral_constraints_hold_across_several_contacts() {
     let off = Vector3::new(1e-3, -2e-3, 3e-3);
     // A pin, pins of two points, a tie, a closed loop (a strand's tip on its own middle), a tie and pins of both strands.
     type Row = (End, Option<End>, Law, Vector3<f64>);
@@ -258,7 +258,7 @@ fn dependent_constraints_are_reported() {
 }
 
 #[test]
-fn bonds_hold_beside_contacts() {
+fn bilateral_constraints_hold_beside_contacts() {
     let off = Vector3::new(2e-4, -3e-4, 1e-3);
     let floor = contact(Vector3::z(), Response::Hard, MU);
     let (space, forces, report) = solved(&[

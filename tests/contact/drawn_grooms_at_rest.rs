@@ -169,7 +169,7 @@ fn sunk(solver: &mut Solver) -> Vec<StrandId> {
 }
 
 #[test]
-fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed() {
+fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_overlap_is_permitted() {
     for model in MODELS {
         let run = |allowed: bool| {
             let mut solver = solver(model, -9.81 * UP);
@@ -208,7 +208,7 @@ fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed()
 }
 
 #[test]
-fn what_is_allowed_ends_where_nothing_was_drawn_into_anything() {
+fn permitted_overlaps_end_where_nothing_overlapped_in_the_drawing() {
     // A level rod, drawn 1 mm into a floor at its middle only: the floor is a ball's top there. Let go under gravity it sinks no deeper, though
     // it would without the ball.
     let mut solver = solver(ContactModel::Coulomb, -9.81 * UP);

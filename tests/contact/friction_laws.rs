@@ -292,11 +292,11 @@ fn a_ring_holds_across_and_rubs_along() {
 #[test]
 fn numbers_out_of_range_are_named() {
     let contact = Contact { normal: Vector3::z(), response: Response::Hard, friction: Friction::None };
-    let says = |law: Law| law.check("touches[2].law").unwrap_err().to_string();
+    let says = |law: Law| law.check("constraints[2].law").unwrap_err().to_string();
     let bad = says(Law::Contact(Contact { normal: Vector3::new(0.0, 0.0, 1.1), ..contact }));
-    assert!(bad.contains("touches[2].law.normal") && bad.contains("1.1"), "{bad}");
+    assert!(bad.contains("constraints[2].law.normal") && bad.contains("1.1"), "{bad}");
     let bad = says(Law::Contact(Contact { response: Response::Regularised { stiffness: 1.0, depth: 0.0 }, ..contact }));
-    assert!(bad.contains("touches[2].law.response.depth is 0"), "{bad}");
+    assert!(bad.contains("constraints[2].law.response.depth is 0"), "{bad}");
     let mu = Coefficient { mean: 0.1, lean: Vector3::x() * 0.2 };
     let bad = says(Law::Contact(Contact { friction: Friction::Coulomb(mu), ..contact }));
     assert!(bad.contains("friction.lean is 0.2"), "{bad}");

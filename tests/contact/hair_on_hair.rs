@@ -124,7 +124,7 @@ fn a_pile_at_rest_balances_as_a_whole_and_strand_by_strand() {
 /// Two strands across each other, of which one is the other turned by half a turn about a line between them, press on each other: they stay
 /// so, which they do not where one of them gets another force than the other gets with the opposite sign.
 #[test]
-fn strands_that_are_each_others_image_go_on_being_so() {
+fn mirror_images_stay_mirror_images() {
     for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         let mut solver = solver(model, Vector3::zeros());
         let half_turn = UnitQuaternion::from_axis_angle(&nalgebra::Unit::new_normalize(Vector3::new(1.0, 1.0, 0.0)), PI);
@@ -274,7 +274,7 @@ fn wisps_thrown_at_each_other_settle_and_gain_no_energy() {
             assert!(in_front(&one, &other) <= 0, "{model:?}: one is through the other");
         }
         println!(
-            "{model:?}: {speeds:?} m/s, {first:e} J, grown by {grown:e}, nearest {nearest:e}, {hits} touches, {unconverged}, {last:e} J left"
+            "{model:?}: {speeds:?} m/s, {first:e} J, grown by {grown:e}, nearest {nearest:e}, {hits} contacts, {unconverged}, {last:e} J left"
         );
         assert!(speeds[0] > 1.0 && speeds[1] < -1.0 && (speeds[0] - speeds[1]) * h > 4.0 * radius && hits > 1);
         assert!(grown < 1e-6 * first, "{grown:e} of {first:e}");
@@ -355,7 +355,7 @@ fn a_braid_stays_one() {
         contacts = contacts.max(solver.contacts().len());
     }
     let after = wound(&solver);
-    println!("{before:?} {after:?}, {contacts} touches, {unconverged} unconverged, {deepest:e} m deep, untied by {untied:e} m");
+    println!("{before:?} {after:?}, {contacts} contacts, {unconverged} unconverged, {deepest:e} m deep, untied by {untied:e} m");
     assert!(contacts >= 6, "{contacts}");
     assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 0.1), "{before:?} {after:?}");
     assert!(untied < 1e-8 && deepest < 2e-5 && unconverged == 0, "{untied:e} {deepest:e} {unconverged}");
@@ -415,7 +415,7 @@ fn a_swelling_skin_lifts_the_strands_that_lie_on_it() {
 /// Where nothing can touch, contact costs no bit: bodies far away, bodies and wisps that no strand is to touch, strands that are to touch
 /// bodies and have none.
 #[test]
-fn what_touches_nothing_moves_as_without_contact() {
+fn strands_without_contacts_move_as_if_contact_were_off() {
     let run = |arrange: &dyn Fn(&mut Solver, &[StrandId])| {
         let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, ..SolverOptions::default() }).unwrap();
         let defs: Vec<StrandDef> = (0..9)

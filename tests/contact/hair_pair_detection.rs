@@ -190,7 +190,7 @@ fn descended(strands: &[Strand], s: f64, u: f64, spacing: f64) -> (f64, f64, f64
 }
 
 #[test]
-fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
+fn every_local_minimum_between_sampled_strands_is_an_exact_contact() {
     let mut random = Random(1);
     let spacing = 1e-4;
     let (radius, activation) = (0.4e-3, 1e-3);
@@ -256,7 +256,7 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
 }
 
 #[test]
-fn touches_do_not_depend_on_which_strand_is_first() {
+fn contacts_do_not_depend_on_which_strand_is_first() {
     let mut random = Random(2);
     let strands: Vec<Strand> = (0..30).map(|_| Strand::random(&mut random, 4, 1.5, 0.008)).collect();
     let radii: Vec<Wisp> = (0..30).map(|k| Wisp { radius: 1e-3 + 1e-5 * f64::from(k), ..Wisp::default() }).collect();
@@ -287,7 +287,7 @@ fn touches_do_not_depend_on_which_strand_is_first() {
 }
 
 #[test]
-fn strands_along_each_other_touch_at_the_ends_of_their_common_length() {
+fn parallel_strands_have_contacts_at_the_ends_of_their_common_length() {
     // Elements end at 0, 25, 50, 75 and 100 mm, and the partner's at 30, 70 and 110 mm: they share 30 to 100 mm.
     for tilt in [0.0, 1e-9, 1e-3] {
         let a = Strand::straight(Vector3::zeros(), Vector3::new(0.1, 0.0, 0.0), 4);
@@ -306,7 +306,7 @@ fn strands_along_each_other_touch_at_the_ends_of_their_common_length() {
 }
 
 #[test]
-fn what_was_found_stays_complete_while_strands_move() {
+fn the_contacts_found_stay_complete_while_strands_move() {
     let mut random = Random(3);
     let mut strands: Vec<Strand> = (0..60).map(|_| Strand::random(&mut random, 4, 1.5, 0.05)).collect();
     let kept_options = options(0.5e-3, 1e-3);
@@ -333,7 +333,7 @@ fn what_was_found_stays_complete_while_strands_move() {
         assert_same(&strands, &contacts, &expected, step);
         total += contacts.len();
     }
-    println!("{total} touches in {steps} steps, {searches} searches");
+    println!("{total} contacts in {steps} steps, {searches} searches");
     assert!(total > 15 * steps && (4..steps / 2).contains(&searches));
 }
 
@@ -350,7 +350,7 @@ fn assert_same(strands: &[Strand], contacts: &[ContactPoint], expected: &[Contac
 
 /// Within a step only the strands that have left their room are searched for again.
 #[test]
-fn what_was_found_stays_complete_where_few_strands_go_far_within_a_step() {
+fn the_contacts_found_stay_complete_if_few_strands_move_far_within_a_step() {
     let mut random = Random(5);
     let before: Vec<Strand> = (0..60).map(|_| Strand::random(&mut random, 4, 1.5, 0.04)).collect();
     let mut strands = before.clone();
@@ -373,7 +373,7 @@ fn what_was_found_stays_complete_where_few_strands_go_far_within_a_step() {
         assert_same(&strands, &contacts, &expected, iterate);
         total += contacts.len();
     }
-    println!("{total} touches in {iterates} iterates, {searches} searches");
+    println!("{total} contacts in {iterates} iterates, {searches} searches");
     assert!(total > 15 * iterates && searches == iterates);
 }
 

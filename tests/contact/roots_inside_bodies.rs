@@ -33,7 +33,7 @@ fn steps(solver: &mut Solver, count: u32) -> Vec<StepReport> {
     (0..count).map(|_| solver.step(1.0 / 60.0, 1).unwrap()).collect()
 }
 
-/// A strand that stands on a scalp: its root 30 µm over it, nearer than it is thick. As a touch that was to hold it made every step of the hard
+/// A strand that stands on a scalp: its root 30 µm over it, nearer than it is thick. As a contact that was to hold it made every step of the hard
 /// models unconverged.
 #[test]
 fn a_root_on_the_surface_is_reported_and_does_not_affect_the_strand() {
@@ -73,7 +73,7 @@ fn a_root_deep_in_a_body_is_reported() {
 /// What lies on a floor with its root at the floor's height is borne by it, and converges: the root made the second attempt of every step, in
 /// which nothing rubs.
 #[test]
-fn what_lies_on_a_body_is_solved_though_its_root_is_in_it() {
+fn strands_on_a_body_converge_though_their_roots_are_in_it() {
     {
         let model = ContactModel::Coulomb;
         let (mut solver, id, floor, weight) = scene(model, 30e-6, 0.0, StrandContact::default());

@@ -23,7 +23,7 @@ fn gap(moving: &Moving, element: usize, s: f64, thickness: f64, body: &BodyAt) -
 /// Checks a strand's touches against samples, and counts them.
 fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -> usize {
     const SAMPLES: usize = 160;
-    // How much deeper than the touches beside it a place may be that is found in a later iterate only: along facets the distance has
+    // How much deeper than the contacts beside it a place may be that is found in a later iterate only: along facets the distance has
     // minima closer together than the pieces in which a strand is searched. All overlaps with triangles are detected to 5e-6 m.
     let facets = matches!(name, "mesh" | "hull");
     let missed_apart = if facets || name == "grid" { 1e-4 } else { 3e-6 };
@@ -56,7 +56,7 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
         let left = if index == 0 { f64::INFINITY } else { values[index - 1] };
         let right = values.get(index + 1).copied().unwrap_or(f64::INFINITY);
         if *value <= left && *value <= right {
-            // A minimum to one spacing: one touch there is as deep, or one next to it with no crest in between that counts.
+            // A minimum to one spacing: one contact there is as deep, or one next to it with no crest in between that counts.
             let (low, high) = (place(index) - 1e-9, place(index) + 1e-9);
             let overlap = facets && *value < 0.0;
             let missed = if overlap { 6e-6 } else { missed_apart };
@@ -99,7 +99,7 @@ fn shapes() -> Vec<(&'static str, Shape)> {
 }
 
 #[test]
-fn every_minimum_of_the_distance_is_a_touch() {
+fn every_minimum_of_the_distance_is_a_contact() {
     let mut dice = Dice(77);
     for (name, shape) in shapes() {
         let mut contacts = 0;
@@ -118,12 +118,12 @@ fn every_minimum_of_the_distance_is_a_touch() {
             let body = at_rest(&shape, pose, 0.001);
             contacts += check(name, &moving, 0.0005, &body, 0.002);
         }
-        assert!(contacts > 30, "{name}: {contacts} touches");
+        assert!(contacts > 30, "{name}: {contacts} contacts");
     }
 }
 
 #[test]
-fn a_straight_strand_on_a_plane_is_held_at_its_elements_ends() {
+fn a_straight_strand_on_a_plane_has_contacts_at_its_elements_ends() {
     let shape = Shape::new_half_space(Vector3::z()).unwrap();
     let body = at_rest(&shape, Frame::default(), 0.0);
     let moving = Moving::still(Vector3::new(0.0, 0.0, 0.0001), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0; 3]; 3]));
@@ -139,7 +139,7 @@ fn a_straight_strand_on_a_plane_is_held_at_its_elements_ends() {
 }
 
 #[test]
-fn a_strand_deep_inside_is_touched() {
+fn a_strand_deep_inside_has_contacts() {
     let (vertices, triangles) = bumpy(0.2, 3);
     for shape in [Shape::new_mesh(vertices.clone(), triangles, Sides::Solid).unwrap(), Shape::new_sphere(0.15).unwrap()] {
         let body = at_rest(&shape, Frame::default(), 0.0);
@@ -150,10 +150,10 @@ fn a_strand_deep_inside_is_touched() {
     }
 }
 
-/// A straight strand through an edge of a box: one touch, whose plane is across the strand and through the edge: the box lies behind it and
+/// A straight strand through an edge of a box: one contact, whose plane is across the strand and through the edge: the box lies behind it and
 /// reaches up to it. The faces' own normals would push the strand along itself.
 #[test]
-fn a_strand_across_an_edge_is_held_off_across_itself() {
+fn a_strand_across_an_edge_is_pushed_across_itself() {
     let half = Vector3::new(0.03, 0.02, 0.01);
     let shape = Shape::new_box(half).unwrap();
     let body = at_rest(&shape, Frame::default(), 0.0);
@@ -180,7 +180,7 @@ fn a_strand_across_an_edge_is_held_off_across_itself() {
 }
 
 #[test]
-fn lists_used_again_change_nothing() {
+fn reused_lists_change_nothing() {
     // Many strands through one scratch give what each gives with its own.
     let (vertices, triangles) = bumpy(0.05, 3);
     let shape = Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap();

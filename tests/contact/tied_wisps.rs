@@ -70,14 +70,14 @@ fn course(model: ContactModel, defs: &[StrandDef], wisp_radius: f64, ties: impl 
 /// Strands tied in a row, at their tips and above: the knot holds to 1e-9 m by the forces that it takes without contact, a thousandth of
 /// what it took while wisps were pushed apart in it.
 #[test]
-fn a_knot_of_wisps_holds_as_one_of_lines() {
+fn a_knot_of_wisps_holds_like_one_of_lines() {
     for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         for (count, at, radius) in [(2, 0.1, 2e-3), (2, 0.07, 2e-3), (5, 0.08, 1e-3)] {
             let defs = hanging(count, 0.01);
             let ties = |ids: &[StrandId]| ids.windows(2).map(|pair| tie(pair[0], pair[1], at)).collect::<Vec<_>>();
             let (wisps, lines) = (course(model, &defs, radius, ties), course(model, &defs, 0.0, ties));
             println!(
-                "{model:?} {count} at {at}: {} unconverged, off {:e}, {:e} N, {:e} N without wisps, {} touches",
+                "{model:?} {count} at {at}: {} unconverged, off {:e}, {:e} N, {:e} N without wisps, {} contacts",
                 wisps.unconverged, wisps.off, wisps.force, lines.force, wisps.contacts
             );
             assert!(wisps.off < 1e-9 && wisps.unconverged == 0, "{} {:e}", wisps.unconverged, wisps.off);
@@ -88,7 +88,7 @@ fn a_knot_of_wisps_holds_as_one_of_lines() {
 
 /// Away from the knot tied strands keep off each other: two that cross well above it, and are not tied there, do not pass.
 #[test]
-fn away_from_their_knot_tied_strands_touch() {
+fn tied_strands_collide_away_from_their_knot() {
     let mut defs = hanging(2, 4e-3);
     // Bent towards each other: as lines they cross on their way down.
     defs[0].natural = vec![[0.0, 0.0, 0.0]; 10];
@@ -109,7 +109,7 @@ fn away_from_their_knot_tied_strands_touch() {
         let (one, other) = (&points[..15], &points[21..36]);
         one.iter().flat_map(|a| other.iter().map(move |b| (a - b).norm())).fold(f64::INFINITY, f64::min)
     };
-    println!("nearest {:e}, as lines {:e}; {} touches", nearest(&wisps.points), nearest(&lines.points), wisps.contacts);
+    println!("nearest {:e}, as lines {:e}; {} contacts", nearest(&wisps.points), nearest(&lines.points), wisps.contacts);
     assert!(nearest(&lines.points) < 1.5 * radius && wisps.contacts > 50, "{:e} {}", nearest(&lines.points), wisps.contacts);
     assert!(nearest(&wisps.points) > 2.0 * radius - 2e-5, "{:e}", nearest(&wisps.points));
 }

@@ -117,7 +117,7 @@ fn carry(
 }
 
 #[test]
-fn around_a_rim_a_strand_may_pass() {
+fn a_strand_may_pass_around_a_rim() {
     let (vertices, triangles) = sheet(0.05, 4);
     let shape = Shape::new_mesh(vertices, triangles, Sides::Both).unwrap();
     let body = BodyAt::new(7, &shape, Frame::default(), Frame::default(), 0.0);
@@ -239,7 +239,7 @@ fn a_deforming_sheet_takes_the_strand_along() {
 /// A strand drawn round something convex passes through it on the straight path of a step. If it comes out on its own side it is
 /// not in it, and the plane at its entry must not push it out. If it comes out behind, it went through.
 #[test]
-fn a_strand_drawn_round_a_corner_is_not_in_it() {
+fn a_strand_pulled_round_a_corner_does_not_enter_it() {
     const ROUND: f64 = 0.015;
     let (vertices, triangles) = ball(ROUND, 4);
     let mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
@@ -268,7 +268,7 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
 /// Wherever a fast body's corner, edge or face ran into a strand: what is deep in it at the step's end is touched there, and from the side that it came
 /// from pushed out.
 #[test]
-fn no_piece_that_a_body_has_run_into_is_left_in_it() {
+fn no_piece_hit_by_a_body_is_left_in_it() {
     /// The spacing of sampled places, and the depth that counts as deep, m.
     const APART: f64 = 1e-4;
     const DEEP: f64 = 2e-4;

@@ -116,7 +116,7 @@ fn most_direct_ticks_allocate_nothing() {
             }
         }
     }
-    println!("of 1400 ticks each {counted:?} allocate, {pressed} touches pressed at once at most");
+    println!("of 1400 ticks each {counted:?} allocate, {pressed} contacts under pressure at once at most");
     // Those do in which a pack or a list meets more strands, or strands that are bent more, than ever before.
     assert!(pressed > 4 && counted[0] > 10 && counted[1..].iter().all(|ticks| *ticks < 140), "{pressed} {counted:?}");
 }

@@ -310,10 +310,10 @@ fn a_tolerance_out_of_range_is_named() {
     }
 }
 
-/// It has no step for strands that touch or are held, and says so in place of taking another integrator's; what could touch and is not
+/// It has no step for strands that are in contact or constrained, and says so in place of taking another integrator's; what could touch and is not
 /// to, a body without strands for it or hair without wisps, is no reason.
 #[test]
-fn held_strands_are_refused_and_nothing_is_changed() {
+fn constrained_strands_are_refused_and_nothing_is_changed() {
     let refused = |arrange: &dyn Fn(&mut Solver, StrandId), by: &str| {
         let mut solver = solver(1e-6);
         let id = solver.add_strands(&[hair(1)]).unwrap()[0];

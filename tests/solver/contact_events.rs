@@ -111,7 +111,7 @@ fn events_do_not_depend_on_threads_and_cost_no_result() {
 }
 
 #[test]
-fn what_has_no_room_is_counted_and_the_oldest_come_first() {
+fn events_without_room_are_counted_and_the_oldest_come_first() {
     let all = {
         let (mut solver, _, ball) = scene(Workers::Serial);
         solver.keep_contact_events(1000).unwrap();

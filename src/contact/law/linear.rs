@@ -35,7 +35,7 @@ impl Law {
         match self {
             Law::Contact(contact) => contact.linearise(u, lambda, response, step),
             Law::Ring(ring) => ring.linearise(u, lambda, response),
-            Law::Bilateral(_) => unreachable!("bonds are eliminated before any iteration"),
+            Law::Bilateral(_) => unreachable!("bilateral constraints are eliminated before any iteration"),
         }
     }
 }

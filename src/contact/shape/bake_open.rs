@@ -84,7 +84,7 @@ fn close_openings(lattice: &Lattice, distances: &mut [f32], numbers: &[f32]) -> 
             }
             let second = first + stride;
             let (a, b) = (numbers[first] - 0.5, numbers[second] - 0.5);
-            // Were the mesh between them, both ways to it would make up at most the cell.
+            // Were the mesh between them, both distances to it would make up at most the cell.
             if (a > 0.0) != (b > 0.0) && distances[first] + distances[second] > cell * 1.0001 {
                 let part = cell * a.abs() / (a.abs() + b.abs());
                 cap[first] = cap[first].min(part);

@@ -46,20 +46,20 @@ impl FlatTriangle {
         self.axes[2].dot(&(point - self.corners[0]))
     }
 
-    /// Whether the straight way between two places goes through it; through an edge of two triangles it goes through one of them.
+    /// Whether the straight path between two points goes through it; through an edge of two triangles it goes through one of them.
     pub fn is_pierced(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
         if (self.height(from) < 0.0) == (self.height(to) < 0.0) {
             return false;
         }
         let [a, b, c] = &self.corners;
         let offset = to - from;
-        // The signed volumes of the way with the edges: all of one sign when it passes between them.
+        // The signed volumes of the path with the edges: all of one sign when it passes between them.
         let volume = |p: &Vector3<f64>, q: &Vector3<f64>| offset.dot(&(p - from).cross(&(q - from)));
         let volumes = [volume(a, b), volume(b, c), volume(c, a)];
         volumes.iter().all(|volume| *volume >= 0.0) || volumes.iter().all(|volume| *volume < 0.0)
     }
 
-    /// The way from its nearest point to `point`, m.
+    /// The offset from its nearest point to `point`, m.
     #[inline]
     pub fn offset_to(&self, point: &Vector3<f64>) -> Vector3<f64> {
         let to = point - self.corners[0];
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_as_far_as_the_triangle() {
+    fn distances_are_those_of_the_triangle() {
         let mut state = 1_u64;
         let mut unit = || {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

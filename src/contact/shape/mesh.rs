@@ -212,7 +212,7 @@ impl Mesh {
         }
     }
 
-    /// Sets the vertices of the step's start and end to those at the fractions `from` and `to` of the way between two checked sets.
+    /// Sets the vertices of the step's start and end to those at the fractions `from` and `to` of the motion between two checked sets.
     pub(in crate::contact) fn advance(&mut self, first: &[Vector3<f64>], last: &[Vector3<f64>], from: f64, to: f64) {
         // Exactly the last ones at the end.
         let at = |index: usize, u: f64| if u >= 1.0 { last[index] } else { first[index] + (last[index] - first[index]) * u };

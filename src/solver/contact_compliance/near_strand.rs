@@ -76,7 +76,7 @@ impl Response {
 impl NearStrand {
     /// Finds the places closer than `within` (m) to the bodies, and lists them with those where something acts on the strand.
     /// Lists none if no place is near.
-    pub fn find(&mut self, strand: &Strand, bodies: &[BodyAt], within: f64, held: &Places) {
+    pub fn find(&mut self, strand: &Strand, bodies: &[BodyAt], within: f64, acting: &Places) {
         self.places.clear();
         let Some(contact) = strand.contact.as_deref() else { return };
         let Strand { model, state, .. } = strand;
@@ -85,12 +85,12 @@ impl NearStrand {
         let around = around(&curve).grown(contact.radius + within);
         let met = |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.is_near(&around);
         self.search.find(&curve, [contact.exempt_length, contact.radius, within], bodies, met);
-        self.list_contacts(strand, contact, bodies, held);
+        self.list_contacts(strand, contact, bodies, acting);
         if self.search.found.is_empty() && self.places.iter().all(|place| place.contact.is_none()) {
             self.places.clear();
             return;
         }
-        self.list_near(strand, contact, bodies, held);
+        self.list_near(strand, contact, bodies, acting);
         let key = |place: &LoadedPoint| (place.material_point.element, place.material_point.s);
         self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
     }
@@ -115,7 +115,7 @@ impl NearStrand {
     }
 
     /// The length of the strand between two contacts with one body is divided equally between them.
-    fn share_reach(&mut self) {
+    fn divide_reach(&mut self) {
         for k in 0..self.places.len() {
             let Some(contact) = self.places[k].contact else { continue };
             let others = self.places.iter().filter(|place| place.contact.is_some_and(|other| other.body == contact.body));
@@ -152,13 +152,13 @@ impl NearStrand {
             alone.advance(setting, forces);
             alone.linearise(material_points, forces);
         }
-        let (model, held) = (&strand.model, &alone.step);
+        let (model, acting) = (&strand.model, &alone.step);
         let max_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(contact) = &mut place.contact else { continue };
-            let moved = ConstrainedStep::place(held.now(), &place.material_point)
+            let moved = ConstrainedStep::place(acting.now(), &place.material_point)
                 - ConstrainedStep::place(before, &place.material_point)
-                + displacement(held, forces, k);
+                + displacement(acting, forces, k);
             (contact.moved, contact.max_force) = (moved, max_force);
         }
     }
@@ -219,11 +219,11 @@ impl NearStrand {
     }
 
     /// The contacts of the last substep.
-    fn list_contacts(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], held: &Places) {
-        let first = held.contacts.partition_point(|(index, ..)| *index < self.index);
-        for (_, along, last) in held.contacts[first..].iter().take_while(|(index, ..)| *index == self.index) {
+    fn list_contacts(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], acting: &Places) {
+        let first = acting.contacts.partition_point(|(index, ..)| *index < self.index);
+        for (_, along, last) in acting.contacts[first..].iter().take_while(|(index, ..)| *index == self.index) {
             let body = match last.partner {
-                ContactPartner::Body { body, .. } => held.bodies.iter().position(|id| *id == body),
+                ContactPartner::Body { body, .. } => acting.bodies.iter().position(|id| *id == body),
                 ContactPartner::Strand { .. } => None,
             };
             let place = match body {
@@ -238,7 +238,7 @@ impl NearStrand {
     }
 
     /// Near places, and constraints.
-    fn list_near(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], held: &Places) {
+    fn list_near(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], acting: &Places) {
         for k in 0..self.search.found.len() {
             let found = self.search.found[k];
             let is_known = self.places.iter().any(|place| {
@@ -246,12 +246,12 @@ impl NearStrand {
                     |contact: &BodyContact| contact.body as usize == found.body && contact.normal.dot(&found.normal) > ONE_SIDE;
                 (place.along - found.along).abs() <= ONE_PLACE && place.contact.as_ref().is_some_and(same)
             });
-            if !is_known && found.along > 0.0 && found.gap >= -held.max_depth {
+            if !is_known && found.along > 0.0 && found.gap >= -acting.max_depth {
                 self.places.push(self.contact(strand, contact, bodies, &found, Vector3::zeros()));
             }
         }
-        self.share_reach();
-        for constraint in held.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
+        self.divide_reach();
+        for constraint in acting.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             if constraint.def.strand == strand.id {
                 self.places.push(self.place(strand, constraint.state.arclength, constraint.state.force));
             }
@@ -263,10 +263,10 @@ impl NearStrand {
 }
 
 /// Displacement of place `k` under forces by the linear model, m.
-fn displacement(held: &ConstrainedStep, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
-    let (mut moved, size) = (Vector3::from(held.unconstrained[k]), 3 * forces.len());
+fn displacement(acting: &ConstrainedStep, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
+    let (mut moved, size) = (Vector3::from(acting.unconstrained[k]), 3 * forces.len());
     for (column, force) in forces.iter().flat_map(|force| force.0).enumerate() {
-        let rows = &held.delassus.columns[column * size + 3 * k..][..3];
+        let rows = &acting.delassus.columns[column * size + 3 * k..][..3];
         moved += Vector3::new(rows[0], rows[1], rows[2]) * force;
     }
     moved

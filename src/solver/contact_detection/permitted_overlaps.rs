@@ -7,7 +7,7 @@ use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::solver::strand::Strand;
 
 /// Reduces a strand's surface in its contacts with bodies, and removes contacts that are then further away than `within` (m).
-pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap: &PermittedOverlap, within: f64) {
+pub fn reduce_body_contacts(constrained: &mut ConstrainedStrand, permitted_overlap: &PermittedOverlap, within: f64) {
     let mut found = std::mem::take(&mut constrained.found);
     let path = constrained.path();
     found.retain_mut(|contact| {
@@ -19,7 +19,7 @@ pub fn give_way_to_bodies(constrained: &mut ConstrainedStrand, permitted_overlap
 }
 
 /// The same for contacts between strands.
-pub fn give_way_to_hair(all: &[Strand], strands: &[ConstrainedStrand], activation: f64, contacts: &mut Vec<ContactPoint>) {
+pub fn reduce_hair_contacts(all: &[Strand], strands: &[ConstrainedStrand], activation: f64, contacts: &mut Vec<ContactPoint>) {
     contacts.retain_mut(|contact| {
         let Partner::Strand(other) = contact.partner else { return true };
         let ends = [contact.point, other].map(|place| (&strands[place.strand as usize], place));

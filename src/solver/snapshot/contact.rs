@@ -211,7 +211,7 @@ impl Reader<'_> {
             let with = if word & STRAND != 0 { With::Strand(index) } else { With::Body(index) };
             let count = (word & !STRAND) as usize;
             if count == 0 || count > left {
-                return Err(bad(format!("a strand has {count} touches with the same thing where {left} are left")));
+                return Err(bad(format!("a strand has {count} contacts with one partner where {left} are left")));
             }
             for _ in 0..count {
                 memory.warm_start.push(WarmStartForce { strand, with, along: self.f64()?, force: self.vector()? });

@@ -28,19 +28,19 @@ mod flag {
     /// All elements are as long as the first.
     pub const EQUAL_LENGTHS: u32 = 1 << 3;
     pub const HAS_USER_DATA: u32 = 1 << 4;
-    pub const TOUCHED: u32 = 1 << 5;
+    pub const IN_CONTACT: u32 = 1 << 5;
     pub const CONVERGED: u32 = 1 << 6;
     pub const QUARANTINED: u32 = 1 << 7;
     pub const HAS_PAST: u32 = 1 << 8;
     /// The last step was as long as that of the strand before.
     pub const SAME_STEP: u32 = 1 << 9;
-    pub const HAS_WAY: u32 = 1 << 10;
+    pub const HAS_ROOT_MOVE: u32 = 1 << 10;
     /// The root's way takes as long, and is as far, as that of the strand before.
     pub const SAME_TIMES: u32 = 1 << 11;
     pub const HAS_AUTHORED: u32 = 1 << 12;
-    pub const HAS_ALLOWANCE: u32 = 1 << 13;
+    pub const HAS_PERMITTED_OVERLAP: u32 = 1 << 13;
     /// Something is kept of it where a substep has not brought it through, or it stands still.
-    pub const HAS_ASTRAY: u32 = 1 << 14;
+    pub const HAS_DIVERGENCE: u32 = 1 << 14;
     /// Where the root's way begins is where the root is, or where it was a step ago; where it ends likewise.
     pub const FROM_ROOT: u32 = 1 << 15;
     pub const FROM_PAST: u32 = 1 << 16;
@@ -97,7 +97,7 @@ fn flags_of(strand: &Strand, before: Option<&Strand>) -> u32 {
     set(flag::HAS_CONTACT, contact.is_some());
     set(flag::EQUAL_LENGTHS, model.lengths.iter().all(|length| length.to_bits() == model.lengths[0].to_bits()));
     set(flag::HAS_USER_DATA, strand.user_data != 0);
-    set(flag::TOUCHED, strand.touched);
+    set(flag::IN_CONTACT, strand.touched);
     set(flag::CONVERGED, strand.last.converged);
     set(flag::QUARANTINED, strand.last.quarantined);
     set(flag::HAS_PAST, state.history.step > 0.0);
@@ -106,11 +106,11 @@ fn flags_of(strand: &Strand, before: Option<&Strand>) -> u32 {
         state.history.step > 0.0 && same(&|before| before.state.history.step.to_bits() == state.history.step.to_bits()),
     );
     let times = |strand: &Strand| strand.root_move.as_deref().map(|(motion, elapsed)| bits([motion.duration, *elapsed]));
-    set(flag::HAS_WAY, strand.root_move.is_some());
+    set(flag::HAS_ROOT_MOVE, strand.root_move.is_some());
     set(flag::SAME_TIMES, strand.root_move.is_some() && same(&|before| times(before) == times(strand)));
     set(flag::HAS_AUTHORED, strand.authored.is_some());
-    set(flag::HAS_ALLOWANCE, strand.permitted_overlap.is_some());
-    set(flag::HAS_ASTRAY, strand.divergence.is_some() || strand.frozen.is_some());
+    set(flag::HAS_PERMITTED_OVERLAP, strand.permitted_overlap.is_some());
+    set(flag::HAS_DIVERGENCE, strand.divergence.is_some() || strand.frozen.is_some());
     if let Some((motion, _)) = strand.root_move.as_deref() {
         flags |= repeats(&motion.from, &state.root, past_root(strand), flag::FROM_ROOT, flag::FROM_PAST);
         flags |= repeats(&motion.to, &state.root, past_root(strand), flag::TO_ROOT, flag::TO_PAST);
@@ -170,7 +170,7 @@ impl Writer {
         self.u32(strand.last.iterations);
         match strand.frozen.as_deref() {
             Some(frozen) => self.frozen(&frozen.bodies),
-            None if has(flag::HAS_ASTRAY) => self.divergence(strand.divergence.as_deref()),
+            None if has(flag::HAS_DIVERGENCE) => self.divergence(strand.divergence.as_deref()),
             None => {}
         }
         self.f64(strand.energies.kinetic);
@@ -182,7 +182,7 @@ impl Writer {
         if !has(flag::SAME_CONTACT) && has(flag::HAS_CONTACT) {
             self.strand_contact(strand.contact.as_deref());
         }
-        if has(flag::HAS_ALLOWANCE) {
+        if has(flag::HAS_PERMITTED_OVERLAP) {
             self.permitted_overlap(strand.permitted_overlap.as_deref());
         }
     }
@@ -249,11 +249,11 @@ impl Reader<'_> {
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
             return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
         }
-        let root_move = if has(flag::HAS_WAY) { Some(Box::new(self.root_way(flags, &state, before)?)) } else { None };
+        let root_move = if has(flag::HAS_ROOT_MOVE) { Some(Box::new(self.root_motion(flags, &state, before)?)) } else { None };
         let last =
             SubstepResult { iterations: self.u32()?, converged: has(flag::CONVERGED), quarantined: has(flag::QUARANTINED) };
         let (mut divergence, mut known) = (None, None);
-        if has(flag::HAS_ASTRAY) {
+        if has(flag::HAS_DIVERGENCE) {
             match self.u32()? {
                 FROZEN => known = Some(self.frozen()?),
                 tag => divergence = self.divergence(tag, count)?,
@@ -267,7 +267,7 @@ impl Reader<'_> {
             (false, true) => self.strand_contact()?,
             (false, false) => None,
         };
-        let permitted_overlap = if has(flag::HAS_ALLOWANCE) { self.permitted_overlap()? } else { None };
+        let permitted_overlap = if has(flag::HAS_PERMITTED_OVERLAP) { self.permitted_overlap()? } else { None };
         let mut strand = Strand {
             model,
             state,
@@ -278,7 +278,7 @@ impl Reader<'_> {
             energies,
             last,
             constrained: Constrained::No,
-            touched: has(flag::TOUCHED),
+            touched: has(flag::IN_CONTACT),
             contact,
             permitted_overlap,
             divergence,
@@ -301,7 +301,7 @@ impl Reader<'_> {
     }
 
     /// The root's way, and how many seconds of it are done.
-    fn root_way(&mut self, flags: u32, state: &StrandState, before: Option<&Strand>) -> Result<(PoseMove, f64)> {
+    fn root_motion(&mut self, flags: u32, state: &StrandState, before: Option<&Strand>) -> Result<(PoseMove, f64)> {
         let mut pose = |of_root: u32, of_past: u32| match (flags & of_root != 0, flags & of_past != 0) {
             (true, false) => Ok(state.root),
             (false, true) if state.history.step > 0.0 => Ok(state.history.root),

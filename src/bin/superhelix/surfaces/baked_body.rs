@@ -65,7 +65,7 @@ pub fn bake(
     Ok(Baked { grid, kept })
 }
 
-/// Where the grid of these numbers is kept. (The hash may be another in another version of the standard library: then it is baked anew.)
+/// Where the grid of these numbers is kept. (The hash may be another in another version of the standard library: then it is baked again.)
 fn place(path: &Path, vertices: &[Vector3<f64>], triangles: &[[u32; 3]], cell: f64) -> PathBuf {
     let mut hasher = DefaultHasher::new();
     for number in vertices.iter().flatten().chain([&cell, &BAND]) {
