@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use super::buffers::{Place, array, frame_from, strand_ids};
+use super::buffers::{OutputValue, array, frame_from, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver, write};
 use super::haptic_def::{shx_haptic_def, shx_haptic_state};
@@ -52,7 +52,7 @@ pub unsafe extern "C" fn shx_haptic_create(
     // SAFETY: the caller's handle, structure of the size that it states, count ids and place for one pointer.
     unsafe {
         read("shx_haptic_create", solver, |core| {
-            let place = Place::new("out_haptic", out_haptic)?;
+            let place = OutputValue::new("out_haptic", out_haptic)?;
             let def = if def.is_null() { shx_haptic_def::defaults() } else { read_versioned("def", def)? };
             let options = def.options()?;
             let bodies: &[shx_body_id] = array("bodies", "count", bodies, count)?;
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn shx_haptic_add_ring_comb(
     // SAFETY: the caller's handles, structures of the sizes that they state, count ids, and place for a number.
     unsafe {
         read("shx_haptic_add_ring_comb", solver, |core| {
-            let place = if out_index.is_null() { None } else { Some(Place::new("out_index", out_index)?) };
+            let place = if out_index.is_null() { None } else { Some(OutputValue::new("out_index", out_index)?) };
             let (comb, ids) = (ring_comb(tool, frame, def)?, strand_ids(ids, count)?);
             let add = |tool: &mut Tool| tool.add_ring_comb(core, comb, &ids);
             let index = with(&haptic_from(haptic)?.tool, add).map_err(|error| error.renamed("strands", "ids"))?;
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn shx_haptic_ring_comb_report(
 ) -> shx_result {
     call("shx_haptic_ring_comb_report", || {
         // SAFETY: the caller's handle, and place for the report.
-        let (haptic, place) = unsafe { (haptic_from(haptic)?, Place::new("out_report", out_report)?) };
+        let (haptic, place) = unsafe { (haptic_from(haptic)?, OutputValue::new("out_report", out_report)?) };
         let report = with(&haptic.tool, |tool| {
             let mut combs = tool.ring_combs();
             let count = combs.len();
@@ -199,7 +199,7 @@ pub unsafe extern "C" fn shx_haptic_update(
             let haptic = haptic_from(haptic)?;
             let pose = frame_from("pose", pose)?;
             let velocity: &[f64] = array("velocity", "velocity", velocity, 6)?;
-            let place = Place::new("out_wrench", out_wrench.cast::<[f64; 6]>())?;
+            let place = OutputValue::new("out_wrench", out_wrench.cast::<[f64; 6]>())?;
             let output = if state.is_null() { None } else { Some(VersionedOutput::new("state", state)?) };
             (haptic, pose, velocity, place, output)
         };

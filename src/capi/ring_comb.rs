@@ -3,7 +3,7 @@
 use std::mem::{offset_of, size_of};
 use std::sync::Mutex;
 
-use super::buffers::{Place, frame_from, strand_ids};
+use super::buffers::{OutputValue, frame_from, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, in_use, shx_solver, write};
 use super::styling_tool::shx_tool_def;
@@ -135,7 +135,7 @@ pub unsafe extern "C" fn shx_ring_comb_create(
 ) -> shx_result {
     call("shx_ring_comb_create", || {
         // SAFETY: the caller's structures, and room for one pointer.
-        let (comb, place) = unsafe { (ring_comb(tool, frame, def)?, Place::new("out_comb", out_comb)?) };
+        let (comb, place) = unsafe { (ring_comb(tool, frame, def)?, OutputValue::new("out_comb", out_comb)?) };
         place.write(Box::into_raw(Box::new(shx_ring_comb { comb: Mutex::new(comb) })));
         Ok(())
     })
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn shx_ring_comb_after_step(
     // SAFETY: the caller's handles and room for the report.
     unsafe {
         write("shx_ring_comb_after_step", solver, |core, _| {
-            let place = Place::new("out_report", out_report)?;
+            let place = OutputValue::new("out_report", out_report)?;
             place.write((&with(comb, |comb| comb.after_step(core))?).into());
             Ok(())
         })

@@ -63,7 +63,7 @@ impl HeldComb {
     }
 
     /// Adds the resistance of the strands on its teeth by the explicit formula, with its coefficients across and along, and says how many they are.
-    pub fn resist(&self, solver: &Solver, handle: &Frame, [across, along]: [f64; 2], sum: &mut Resistance) -> Result<u32> {
+    pub fn resist(&self, solver: &Solver, handle: &Frame, [across, along]: [f64; 2], sum: &mut Resistance) -> Result<usize> {
         let mut count = 0;
         for (strand, constraint) in self.comb.held() {
             let state = solver.constraint_state(constraint)?;

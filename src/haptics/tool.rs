@@ -14,9 +14,9 @@ use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::solver::Solver;
 use crate::solver::bodies::ContactPartner;
+use crate::solver::contact_compliance::{BodyContact, ContactCompliance};
 use crate::solver::id::{BodyId, StrandId};
 use crate::solver::report::Wrench;
-use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 use crate::styling::{RingComb, RingCombReport};
 
 /// The least distance, m, within which strands are reported to the device, and the multiple of the tool's motion in the last
@@ -44,7 +44,7 @@ pub struct Tool {
     /// The device's time of that pose; `None` before the device's first report.
     time: Option<f64>,
     seconds: f64,
-    compliance: TouchCompliance,
+    compliance: ContactCompliance,
     choice: Choice,
     combs: Vec<HeldComb>,
     /// For direct mode.
@@ -60,7 +60,7 @@ impl Tool {
         models: Publisher,
     ) -> Result<Self> {
         let model = solver.options().contact.model;
-        if local_model::has_touches(options) && model.is_soft() {
+        if local_model::has_contacts(options) && model.is_soft() {
             let hint = "a local model has Coulomb's law; set the solver's contact model to Coulomb, or take direct mode";
             let argument = "options.mode".into();
             return Err(Error::Unsupported { argument, value: format!("hand-over with {model:?}"), hint: hint.into() });
@@ -93,7 +93,7 @@ impl Tool {
             handle: [handle; 2],
             time: None,
             seconds: 0.0,
-            compliance: TouchCompliance::default(),
+            compliance: ContactCompliance::default(),
             choice: Choice::default(),
             combs: Vec::new(),
             added: AddedMass::default(),
@@ -203,11 +203,11 @@ impl Tool {
         let mut left_out = 0;
         let (mut resistance, mut pressing) = (Resistance::default(), 0);
         if self.options.force_law == ForceLaw::Explicit {
-            solver.find_touches(&self.bodies, NEAR, &mut self.compliance)?;
-            for touch in self.compliance.touches.iter().filter(|touch| touch.force != Vector3::zeros()) {
-                let [across, along] = touch.resistance;
+            solver.find_contacts(&self.bodies, NEAR, &mut self.compliance)?;
+            for contact in self.compliance.contacts.iter().filter(|contact| contact.force != Vector3::zeros()) {
+                let [across, along] = contact.resistance;
                 let (across, along) = (across * self.options.explicit_time, along * self.options.explicit_friction);
-                resistance.add(&touch.tangent, &(touch.point - handle.origin), across, along);
+                resistance.add(&contact.tangent, &(contact.point - handle.origin), across, along);
                 pressing += 1;
             }
             let coefficients = [self.options.explicit_time, self.options.explicit_friction];
@@ -216,24 +216,25 @@ impl Tool {
             }
         } else if self.options.mode == Mode::HandOver {
             let (travel, onward) = (self.travel(), self.handle[0].compose(&self.handle[1].inverse()));
-            solver.find_touches(&self.bodies, NEAR + TRAVEL_FACTOR * travel, &mut self.compliance)?;
-            let may_close = |touch: &BodyTouch| {
-                let closing = (onward.origin + onward.rotation * touch.point - touch.point).dot(&touch.normal);
-                touch.gap <= NEAR + TRAVEL_FACTOR * closing.max(SIDEWAYS * travel)
+            solver.find_contacts(&self.bodies, NEAR + TRAVEL_FACTOR * travel, &mut self.compliance)?;
+            let may_close = |contact: &BodyContact| {
+                let closing = (onward.origin + onward.rotation * contact.point - contact.point).dot(&contact.normal);
+                contact.gap <= NEAR + TRAVEL_FACTOR * closing.max(SIDEWAYS * travel)
             };
-            left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize, may_close);
+            left_out = self.choice.choose(&self.compliance, self.options.max_contacts as usize, may_close);
             // The hand must not feel forces that come from no contact, such as the push on strands that diverged in a step.
-            for (touch, chosen) in self.compliance.touches.iter().enumerate().map(|(k, touch)| (touch, self.choice.is_chosen(k)))
+            for (contact, chosen) in
+                self.compliance.contacts.iter().enumerate().map(|(k, contact)| (contact, self.choice.is_chosen(k)))
             {
                 if !chosen {
-                    rest.force -= touch.force;
-                    rest.torque -= (touch.point - handle.origin).cross(&touch.force);
+                    rest.force -= contact.force;
+                    rest.torque -= (contact.point - handle.origin).cross(&contact.force);
                 }
             }
-            self.compliance.retain(|touch| self.choice.is_chosen(touch));
-            solver.condense_touches(self.seconds, &mut self.compliance)?;
+            self.compliance.retain(|contact| self.choice.is_chosen(contact));
+            solver.condense_contacts(self.seconds, &mut self.compliance)?;
         } else {
-            self.added = self.mass_of_touching(solver);
+            self.added = self.mass_in_contact(solver);
         }
         let Self { models, compliance, options, seconds, added, .. } = self;
         models.publish(|message| {
@@ -245,7 +246,7 @@ impl Tool {
             write_resistance(message, &resistance);
             message.numbers(&[added.mass, added.moment]);
             message.count(left_out as usize);
-            if local_model::has_touches(options) {
+            if local_model::has_contacts(options) {
                 local_model::write(compliance, message);
             } else {
                 message.count(0);
@@ -257,7 +258,7 @@ impl Tool {
 
     /// The mass of strands in contact with the tool, which persists for a while: a strand that lets go may be in contact again in
     /// the next step.
-    fn mass_of_touching(&self, solver: &Solver) -> AddedMass {
+    fn mass_in_contact(&self, solver: &Solver) -> AddedMass {
         let mut added = AddedMass { mass: self.added.mass * FORGETS, moment: self.added.moment * FORGETS };
         let (mut now, mut last) = (AddedMass::default(), None);
         for contact in solver.contacts() {

@@ -109,7 +109,7 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`].
     pub fn iterations(&self, id: StrandId) -> Result<u32> {
-        Ok(self.strand("id", id)?.fared.iterations)
+        Ok(self.strand("id", id)?.last.iterations)
     }
 
     /// The number of quadrature points per element of a strand, and the quadrature error in its current shape: at most
