@@ -78,12 +78,12 @@ pub unsafe extern "C" fn shx_haptic_destroy(haptic: *mut shx_haptic) {
     });
 }
 
-/// Puts a ring comb with the teeth of a tool (any but plates) into the hand: frame is its pose while the handle
-/// is where it is now. From the next shx_haptic_before_step on it goes with the handle and catches those of
-/// count strands that its teeth run into, and what these pull with is part of the force on the hand. Removed
-/// strands are forgotten. def may be null: all defaults. Its index, 0 for the first, goes to out_index, which
-/// may be null. In SHX_HAPTIC_MODE_HAND_OVER the forces of rings stay what they were in the last step until the
-/// next one.
+/// Puts a ring comb with the teeth of a tool (any but plates) into the hand: frame is its pose while the
+/// handle is where it is now. From the next shx_haptic_before_step on it goes with the handle and catches
+/// those of count strands that its teeth run into. What these pull with is part of the force on the hand.
+/// Removed strands are forgotten. def may be null: all defaults. The comb's index, 0 for the first, goes to
+/// out_index, which may be null. In SHX_HAPTIC_MODE_HAND_OVER the forces of rings stay what they were in the
+/// last step until the next one.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_INVALID_ID,
 /// SHX_ERROR_UNSUPPORTED (plates), SHX_ERROR_BUSY.
 /// Threads: shared for the solver, exclusive for the simulation's side; shx_haptic_update may run meanwhile.
