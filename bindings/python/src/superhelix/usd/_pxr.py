@@ -1,0 +1,32 @@
+"""The USD library, and the errors that come from files."""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+try:
+    from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdSkel, UsdUtils, Vt
+except ImportError as _error:
+    raise ImportError(
+        'superhelix.usd needs the USD library (the module pxr): pip install "superhelix[usd]", or pip install usd-core; inside Houdini, Maya '
+        "or Omniverse, use the host's own Python, which has it"
+    ) from _error
+
+__all__ = ["Gf", "Sdf", "Usd", "UsdError", "UsdGeom", "UsdPhysics", "UsdShade", "UsdSkel", "UsdUtils", "UsdWarning", "Vt", "refuse"]
+
+
+class UsdError(ValueError):
+    """A stage that cannot be read or written. The text names the prim, the attribute and its value; path is the prim's path."""
+
+    def __init__(self, path: Any, reason: str) -> None:
+        super().__init__(f"{path}: {reason}")
+        self.path = str(path)
+
+
+class UsdWarning(UserWarning):
+    """Something in a stage was left out or taken in another way than it says. The text names the prim."""
+
+
+def refuse(prim: Any, reason: str) -> NoReturn:
+    """Raises a UsdError about a prim."""
+    raise UsdError(prim.GetPath(), reason)
