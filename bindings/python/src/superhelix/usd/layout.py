@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -67,7 +67,7 @@ class Layout:
     total: int
     basis: str
     scale: float
-    static: dict[str, Any] = field(default_factory=dict)
+    named: bool
 
     def rows(self, name: str, values: Any, width: int) -> Numbers:
         """Rows for all points, finite, as float64 or float32."""
@@ -154,7 +154,7 @@ def define(stage: Any, group: Group, layout: Layout, data: Mapping[str, tuple[An
     primvars = UsdGeom.PrimvarsAPI(curves)
     for name, (kind, values) in data.items():
         primvars.CreatePrimvar(name, kind, UsdGeom.Tokens.uniform).Set(as_usd(values[group.strands]))
-    if group.name != group.path.rsplit("/", 1)[1]:
+    if layout.named:
         primvars.CreatePrimvar("groom_group_name", Sdf.ValueTypeNames.StringArray, UsdGeom.Tokens.constant).Set(Vt.StringArray([group.name]))
     return curves
 

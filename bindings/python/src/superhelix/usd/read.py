@@ -241,31 +241,23 @@ class HairStage:
     def _velocities(
         self, placed: instances.Placed, controls: Controls, skinned: Skinned | None, place: Callable[[Numbers, Any], Numbers], points: Numbers
     ) -> Numbers | None:
-        """Velocities of the control vertices, m/s: authored ones, or those of the points' samples, and those of what moves the prim."""
+        """Velocities of the control vertices, m/s: their own, and those of what moves the prim."""
         own, code, local = controls.velocities, controls.code, controls.points
-        sampled = own is None and len(UsdGeom.Curves(placed.prim).GetPointsAttr().GetTimeSamples()) > 1
         moving = placed.moving or (skinned is not None and skinned.moving)
-        if own is None and not sampled and not moving:
+        if own is None and not moving:
             return None
         # Placements are affine in the points.
         speeds = np.zeros_like(points) if own is None else place(local + own, code) - points
-        if code.IsDefault() or not (moving or sampled):
+        if code.IsDefault() or not moving:
             return speeds
         now = code.GetValue()
-        times = placed.times | sample_times(placed.prim) | (set() if skinned is None else skinned.times)
+        times = placed.times | (set() if skinned is None else skinned.times)
         before, after = max(now - _SPEED_STEP, min(times, default=now)), min(now + _SPEED_STEP, max(times, default=now))
-        if not moving and own is None and not before < after:
-            return None
-        if not times or (placed.moving and len(times) < 2):
+        if len(times) < 2:
             # An instancer with velocities and a single sample.
             before, after = now - _SPEED_STEP, now + _SPEED_STEP
         if before < after:
-            ends = []
-            for moment in (Usd.TimeCode(before), Usd.TimeCode(after)):
-                there = controls.points_at(moment) if sampled else local
-                if len(there) != len(local):
-                    return speeds if own is not None else None
-                ends.append(place(there, moment))
+            ends = [place(local, Usd.TimeCode(moment)) for moment in (before, after)]
             speeds = speeds + (ends[1] - ends[0]) * (self.codes_per_second / (after - before))
         return speeds
 

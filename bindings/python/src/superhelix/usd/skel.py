@@ -37,7 +37,8 @@ class Skinned:
             return points
         transforms = self._skeleton.ComputeSkinningTransforms(code)
         if self._query.GetSkinningMethod() == UsdSkel.Tokens.dualQuaternion:
-            moved = rows(self._query.ComputeSkinnedPoints(transforms, Vt.Vec3fArray.FromNumpy(points.astype(np.float32)), code), 3)
+            array = Vt.Vec3fArray.FromNumpy(points.astype(np.float32))
+            moved = rows(array, 3) if self._query.ComputeSkinnedPoints(transforms, array, code) else None
         else:
             moved = self._blended(points, transforms, code)
         if moved is None or len(moved) != len(points):

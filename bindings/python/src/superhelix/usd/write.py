@@ -16,7 +16,7 @@ from superhelix.enums import UpAxis
 from superhelix.usd import layout as laid
 from superhelix.usd._pxr import Sdf, Usd, UsdGeom, UsdUtils
 from superhelix.usd.curves.bases import Numbers
-from superhelix.usd.part_files import PartFile
+from superhelix.usd.part_files import PartFile, reload_layers
 
 FileLayout = Literal["samples", "clips"]
 _SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
@@ -67,7 +67,7 @@ class HairWriter:
         for name, number in (("frames_per_second", frames_per_second), ("metres_per_unit", metres_per_unit)):
             if not 0.0 < number < np.inf:
                 raise ValueError(f"{name}: {number}; above 0 expected")
-        if not Sdf.Path.IsValidPathString(prim)[0] or not Sdf.Path(prim).IsAbsoluteRootOrPrimPath() or prim == "/":
+        if not Sdf.Path.IsValidPathString(prim)[0] or not Sdf.Path(prim).IsAbsolutePath() or not Sdf.Path(prim).IsPrimPath():
             raise ValueError(f"prim: {prim!r}; a path such as /hair expected")
         counts = column("point_counts", point_counts, np.int64)
         if not len(counts):
@@ -75,7 +75,7 @@ class HairWriter:
         if counts.min() < 2:
             raise ValueError(f"point_counts[{int(np.argmin(counts))}]: {counts.min()}; at least 2 expected")
         self.frames_per_second, self.frame_count, self._root, self._up = float(frames_per_second), 0, prim, up_axis
-        self._layout = laid.Layout(laid.groups_of(groups, counts, prim), int(counts.sum()), basis, 1.0 / metres_per_unit)
+        self._layout = laid.Layout(laid.groups_of(groups, counts, prim), int(counts.sum()), basis, 1.0 / metres_per_unit, groups is not None)
         given = {"root_uvs": root_uvs, "skin_prims": skin_prims, "skin_uvs": skin_uvs, "ids": ids, **(primvars or {})}
         self._data = laid.strand_primvars(given, len(counts))
         self._widths = None if widths is None else self._checked_widths(widths, counts)
@@ -242,6 +242,7 @@ class HairWriter:
             done.place()
             if done is not self._part:
                 self._part.drop()
+            reload_layers([self.path, *(self._folder.target.iterdir() if self._folder is not None else ())])
         except BaseException:
             self.abandon()
             raise
@@ -268,7 +269,9 @@ class HairWriter:
         manifest = Sdf.Layer.CreateNew(str(folder.path / "manifest.usda"))
         for group in self._layout.groups:
             for name in ("extent", *(self._varying or ())):
-                self._declare(manifest, Sdf.Path(group.path).AppendProperty(name), name)
+                for layer in (manifest, self._stage.GetRootLayer()):
+                    # Clips give values to attributes; which there are, the stage itself says.
+                    self._declare(layer, Sdf.Path(group.path).AppendProperty(name), name)
         manifest.Save()
         prim = self._stage.GetPrimAtPath(self._root)
         clips = Usd.ClipsAPI(prim)

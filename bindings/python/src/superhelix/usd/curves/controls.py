@@ -50,9 +50,23 @@ class Controls:
 
     @property
     def velocities(self) -> Numbers | None:
-        """Authored velocities, units/s; None if there are none, or if their number is another than that of the points, as USD has it."""
+        """Velocities, units/s: authored ones if there are as many as points, else the rates between the samples of the points; None without either."""
         found = rows(UsdGeom.Curves(self.prim).GetVelocitiesAttr().Get(self.code), 3)
-        return found if found is not None and len(found) == len(self.points) else None
+        if found is not None and len(found) == len(self.points):
+            return found
+        attribute = UsdGeom.Curves(self.prim).GetPointsAttr()
+        times = np.array(attribute.GetTimeSamples())
+        if self.code.IsDefault() or len(times) < 2:
+            return None
+        now = self.code.GetValue()
+        rates = []
+        # The interval that ends at or after now, and the one that starts at or before it: the same but at a sample.
+        for index in {int(np.searchsorted(times, now, side="left")), int(np.searchsorted(times, now, side="right"))}:
+            if 1 <= index < len(times):
+                ends = [rows(attribute.Get(Usd.TimeCode(times[place])), 3) for place in (index - 1, index)]
+                if ends[0] is not None and ends[1] is not None and len(ends[0]) == len(ends[1]) == len(self.points):
+                    rates.append((ends[1] - ends[0]) * (self.prim.GetStage().GetTimeCodesPerSecond() / (times[index] - times[index - 1])))
+        return np.asarray(np.mean(rates, axis=0)) if rates else None
 
     def points_at(self, code: Any) -> Numbers:
         """Points at a time code: linear between samples of as many points, else carried on from the earlier sample by its velocities."""

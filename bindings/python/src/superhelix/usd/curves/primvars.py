@@ -82,16 +82,16 @@ def datum(prim: Any, name: str, values: Any, interpolation: str, evaluator: Eval
     }
     if interpolation not in sizes:
         refuse(prim, f"{name} has interpolation {interpolation!r}; constant, uniform, varying or vertex expected")
+    if len(array) == 1 and sizes[interpolation] != 1:
+        # One value for all without a word on its interpolation: many programs write widths so.
+        interpolation = "constant"
     if len(array) != sizes[interpolation]:
         fits = [other for other, size in sizes.items() if size == len(array)]
         if not fits:
             wanted = ", ".join(f"{size} ({other})" for other, size in sizes.items())
             refuse(prim, f"{name} has {len(array)} values with interpolation {interpolation!r}; expected {wanted}")
-        if fits[0] != "constant":
-            text = (
-                f"{prim.GetPath()}: {name} has {len(array)} values, which fits interpolation {fits[0]!r}, not {interpolation!r} as stated: read as {fits[0]!r}"
-            )
-            warnings.warn(text, UsdWarning, stacklevel=2)
+        text = f"{prim.GetPath()}: {name} has {len(array)} values, which fits interpolation {fits[0]!r}, not {interpolation!r} as stated: read as {fits[0]!r}"
+        warnings.warn(text, UsdWarning, stacklevel=2)
         interpolation = fits[0]
     return CurveDatum(name, array, interpolation)
 

@@ -14,7 +14,7 @@ from superhelix.enums import UpAxis
 from superhelix.usd._pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, Vt
 from superhelix.usd.deformable.model import BODY_API, CURVES_API, MATERIAL_API, REVISION, STIFFNESSES, DeformableCurves
 from superhelix.usd.layout import extent, floats, prim_name, vectors
-from superhelix.usd.part_files import PartFile
+from superhelix.usd.part_files import PartFile, reload_layers
 
 
 def write_deformables(
@@ -80,6 +80,7 @@ def write_deformables(
             part.drop()
         else:
             part.place()
+        reload_layers([target])
     except BaseException:
         part.drop()
         if packed is not None:
