@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import usd_stages as make
-
 from pxr import UsdGeom, Vt
 
 from superhelix import usd
@@ -176,7 +175,9 @@ def test_data_along_curves_have_all_interpolations() -> None:
             made.SetWidthsInterpolation(interpolation)
             hair = usd.read_hair(on)
             widths = np.split(hair.widths, np.cumsum(hair.point_counts)[:-1])
-            assert widths[0][0] == pytest.approx(values[0] if not (interpolation == "vertex" and wrap == "nonperiodic" and kind == "cubic") else 0.02 + 0.02 / 9, rel=1e-5)
+            assert widths[0][0] == pytest.approx(
+                values[0] if not (interpolation == "vertex" and wrap == "nonperiodic" and kind == "cubic") else 0.02 + 0.02 / 9, rel=1e-5
+            )
             if interpolation == "uniform":
                 assert np.ptp(widths[1]) == 0.0 and widths[1][0] == pytest.approx(0.04)
             if interpolation in ("varying", "vertex") and wrap != "periodic":
@@ -194,7 +195,9 @@ def test_data_along_curves_have_all_interpolations() -> None:
     with pytest.warns(usd.UsdWarning, match=r"/hair: primvars:widths has 10 values, which fits interpolation 'vertex', not 'varying'"):
         assert usd.read_hair(on).widths.max() == pytest.approx(0.1)
     make.primvar(made, "widths", make.FLOATS, "vertex", Vt.FloatArray([0.1] * 7))
-    with pytest.raises(usd.UsdError, match=r"/hair: primvars:widths has 7 values with interpolation 'vertex'; expected 10 \(vertex\), 6 \(varying\), 2 \(uniform\)"):
+    with pytest.raises(
+        usd.UsdError, match=r"/hair: primvars:widths has 7 values with interpolation 'vertex'; expected 10 \(vertex\), 6 \(varying\), 2 \(uniform\)"
+    ):
         usd.read_hair(on)
 
 

@@ -60,9 +60,10 @@ def test_what_is_written_comes_back_in_si_units(suffix, up, metres, tmp_path, rn
     assert UsdPhysics.MaterialAPI(material).GetDensityAttr().Get() == pytest.approx(RHO * metres**3, rel=1e-6)
     assert UsdPhysics.Scene(stage.GetPrimAtPath("/World/scene")).GetGravityMagnitudeAttr().Get() == pytest.approx(9.81 / metres, rel=1e-6)
     attachment = stage.GetPrimAtPath("/World/strands_roots")
-    where = np.asarray(attachment.GetAttribute("physics:coords1").Get()) @ np.array(UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath("/World/head")))[
-        :3, :3
-    ]
+    where = (
+        np.asarray(attachment.GetAttribute("physics:coords1").Get())
+        @ np.array(UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath("/World/head")))[:3, :3]
+    )
     np.testing.assert_allclose(where + np.array(head[:3]) / metres, curves.points[[0, 1, 5, 6]] / metres, atol=1e-5 / metres)
 
 
@@ -100,7 +101,9 @@ def test_stiffnesses_are_derived_from_modulus_ratio_and_thickness() -> None:
     shear = E / (2 * (1 + NU))
     area, second = np.pi * D**2 / 4, np.pi * D**4 / 64
     found = bare.stiffness()
-    np.testing.assert_allclose([found.stretch[0], found.shear[1], found.bend[0], found.twist[1]], [E * area, 0.9 * shear * area, E * second, shear * 2 * second])
+    np.testing.assert_allclose(
+        [found.stretch[0], found.shear[1], found.bend[0], found.twist[1]], [E * area, 0.9 * shear * area, E * second, shear * 2 * second]
+    )
     given = sample(bend_stiffness=2e-8, twist_stiffness=1.5e-8)
     (first, _) = given.materials()
     assert first.youngs_modulus * second == pytest.approx(2e-8)

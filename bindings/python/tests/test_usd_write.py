@@ -212,7 +212,9 @@ def test_a_killed_writer_leaves_nothing_that_has_the_final_name(layout, tmp_path
 @pytest.mark.parametrize("layout", ["samples", "clips"])
 def test_memory_does_not_grow_with_the_frames(layout, tmp_path) -> None:
     started = time.monotonic()
-    done = subprocess.run([sys.executable, "-c", WRITER, str(tmp_path / "hair.usdc"), layout, "120"], capture_output=True, text=True, env=environment(), check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", WRITER, str(tmp_path / "hair.usdc"), layout, "120"], capture_output=True, text=True, env=environment(), check=True
+    )
     early, late = (int(line.split()[1]) for line in done.stdout.splitlines())
     # 110 frames of 2.56 MB came in between.
     assert late - early < 6000, f"{early} kB after 10 frames, {late} kB after 120"

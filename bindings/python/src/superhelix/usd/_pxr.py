@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, NoReturn
 
 try:
-    from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdSkel, UsdUtils, Vt
+    from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdSkel, UsdUtils, Vt
 except ImportError as _error:
     raise ImportError(
         'superhelix.usd needs the USD library (the module pxr): pip install "superhelix[usd]", or pip install usd-core; inside Houdini, Maya '
         "or Omniverse, use the host's own Python, which has it"
     ) from _error
 
-__all__ = ["Gf", "Sdf", "Usd", "UsdError", "UsdGeom", "UsdPhysics", "UsdShade", "UsdSkel", "UsdUtils", "UsdWarning", "Vt", "refuse"]
+__all__ = ["Gf", "Sdf", "Usd", "UsdError", "UsdGeom", "UsdPhysics", "UsdShade", "UsdSkel", "UsdUtils", "UsdWarning", "Vt", "errors_of", "refuse"]
 
 
 class UsdError(ValueError):
@@ -30,3 +32,13 @@ class UsdWarning(UserWarning):
 def refuse(prim: Any, reason: str) -> NoReturn:
     """Raises a UsdError about a prim."""
     raise UsdError(prim.GetPath(), reason)
+
+
+@contextmanager
+def errors_of(name: Any) -> Iterator[None]:
+    """Turns an error of the USD library into one that names the file and says the library's words without its source lines."""
+    try:
+        yield
+    except Tf.ErrorException as error:
+        words = str(error).strip().splitlines()[-1]
+        raise UsdError(name, f"the USD library says: {words.rsplit(' : ', 1)[-1].strip()}") from None

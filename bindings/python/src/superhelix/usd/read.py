@@ -13,7 +13,7 @@ import numpy as np
 from superhelix.enums import UpAxis
 from superhelix.frames import multiply, quaternions, rotate
 from superhelix.usd import instances
-from superhelix.usd._pxr import Usd, UsdError, UsdGeom, UsdWarning, refuse
+from superhelix.usd._pxr import Usd, UsdError, UsdGeom, UsdWarning, errors_of, refuse
 from superhelix.usd.curves import primvars
 from superhelix.usd.curves.bases import Evaluator, Numbers
 from superhelix.usd.curves.controls import Controls, sample_times
@@ -69,11 +69,8 @@ class HairStage:
             name = os.fspath(stage)
             if not os.path.exists(name):
                 raise FileNotFoundError(f"{name}: there is no such file")
-            try:
-                opened = Usd.Stage.Open(name)
-            except Exception as error:
-                raise UsdError(name, f"is not a USD file that can be opened: {str(error).strip().splitlines()[-1]}") from None
-            self.stage = opened
+            with errors_of(name):
+                self.stage = Usd.Stage.Open(name)
         else:
             self.stage = stage
         if tolerance is not None and not 0.0 < tolerance < np.inf:
@@ -87,13 +84,18 @@ class HairStage:
         self.unit_stated = metres_per_unit is not None or bool(UsdGeom.StageHasAuthoredMetersPerUnit(self.stage))
         self.metres_per_unit = metres_per_unit or float(UsdGeom.GetStageMetersPerUnit(self.stage))
         if not 0.0 < self.metres_per_unit < np.inf:
-            raise UsdError(self.stage.GetRootLayer().identifier, f"metersPerUnit is {self.metres_per_unit}; above 0 expected")
+            raise UsdError(self.name, f"metersPerUnit is {self.metres_per_unit}; above 0 expected")
         own = UpAxis.Z if UsdGeom.GetStageUpAxis(self.stage) == UsdGeom.Tokens.z else UpAxis.Y
         self.up_axis = own if up_axis is None else up_axis
         self._turn = _TURNS.get((own, self.up_axis), np.eye(3)).astype(np.float64)
         self._skeletons: Skeletons | None = None
         self._times: list[float] | None = None
         self._evaluators: dict[str, Evaluator] = {}
+
+    @property
+    def name(self) -> str:
+        """The file, or what stands for it in memory."""
+        return str(self.stage.GetRootLayer().identifier)
 
     # --- Time -----------------------------------------------------------------------------------------------------------------
 
@@ -107,7 +109,8 @@ class HairStage:
             if not np.isfinite(time):
                 raise ValueError(f"time: {time}; a finite number of seconds expected")
             return Usd.TimeCode(time * self.codes_per_second)
-        codes = self._codes()
+        with errors_of(self.name):
+            codes = self._codes()
         return Usd.TimeCode(codes[0]) if codes else Usd.TimeCode.Default()
 
     def _codes(self) -> list[float]:
@@ -127,7 +130,8 @@ class HairStage:
     @property
     def times(self) -> Numbers:
         """Times at which the curves, their transforms or their skeletons have samples, s, ascending. Empty for hair that does not change."""
-        return np.array(self._codes()) / self.codes_per_second
+        with errors_of(self.name):
+            return np.array(self._codes()) / self.codes_per_second
 
     # --- What is there --------------------------------------------------------------------------------------------------------
 
@@ -163,7 +167,8 @@ class HairStage:
 
     def mesh(self, path: str, time: float | None = None) -> SkinMesh:
         """Reads a mesh as it is at a time (s; None: the first sample): placed, deformed by its skeleton, in metres, in the axes of this object."""
-        return read_mesh(self, path, time)
+        with errors_of(self.name):
+            return read_mesh(self, path, time)
 
     # --- Strands --------------------------------------------------------------------------------------------------------------
 
@@ -171,10 +176,11 @@ class HairStage:
         """Reads the strands at a time, s. None: the first sample."""
         code = self._code(time)
         left = [self.options.max_points]
-        parts = [part for placed in self._placed(code) if (part := self._part(placed, code, left)) is not None]
+        with errors_of(self.name):
+            parts = [part for placed in self._placed(code) if (part := self._part(placed, code, left)) is not None]
         if not parts:
             where = "" if self.options.prims is None else f" at or below {', '.join(self.options.prims)}"
-            raise UsdError(self.stage.GetRootLayer().identifier, f"has no BasisCurves or NurbsCurves with points that are visible{where}")
+            raise UsdError(self.name, f"has no BasisCurves or NurbsCurves with points that are visible{where}")
         seconds = 0.0 if code.IsDefault() else code.GetValue() / self.codes_per_second
         hair = merged(parts, self.options.primvars)
         hair.up_axis, hair.metres_per_unit, hair.unit_stated, hair.time = self.up_axis, self.metres_per_unit, self.unit_stated, seconds

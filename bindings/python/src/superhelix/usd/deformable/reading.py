@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from superhelix.usd import instances
-from superhelix.usd._pxr import Usd, UsdGeom, UsdPhysics, UsdShade, UsdWarning, refuse
+from superhelix.usd._pxr import Usd, UsdGeom, UsdPhysics, UsdShade, UsdWarning, errors_of, refuse
 from superhelix.usd.curves.bases import Numbers
 from superhelix.usd.curves.controls import Controls, rows
 from superhelix.usd.deformable.model import (
@@ -55,14 +55,15 @@ def read_deformables(stage: Any, time: float | None = None, **options: Any) -> l
     kilograms = float(UsdPhysics.GetStageKilogramsPerUnit(reader.stage))
     default = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time * reader.codes_per_second)
     walk = instances.Walk(reader.stage, default, reader.options.purposes, reader.options.prims, reader.options.max_prims)
-    attachments = _attachments(reader.stage)
     made = []
-    for placed in walk.find((UsdGeom.BasisCurves,)):
-        if applied(placed.prim, CURVES_API):
-            code = default
-            if time is None and UsdGeom.PointBased(placed.prim).GetPointsAttr().Get(default) is None:
-                code = Usd.TimeCode.EarliestTime()
-            made.append(_curves(reader, placed, code, kilograms, attachments))
+    with errors_of(reader.name):
+        attachments = _attachments(reader.stage)
+        for placed in walk.find((UsdGeom.BasisCurves,)):
+            if applied(placed.prim, CURVES_API):
+                code = default
+                if time is None and UsdGeom.PointBased(placed.prim).GetPointsAttr().Get(default) is None:
+                    code = Usd.TimeCode.EarliestTime()
+                made.append(_curves(reader, placed, code, kilograms, attachments))
     return made
 
 
