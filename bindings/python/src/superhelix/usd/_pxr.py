@@ -42,3 +42,7 @@ def errors_of(name: Any) -> Iterator[None]:
     except Tf.ErrorException as error:
         words = str(error).strip().splitlines()[-1]
         raise UsdError(name, f"the USD library says: {words.rsplit(' : ', 1)[-1].strip()}") from None
+    except TypeError as error:
+        if "to_python" not in str(error):
+            raise
+        raise UsdError(name, "has a value of a type that no attribute can have: the file is damaged") from None

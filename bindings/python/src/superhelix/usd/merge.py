@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from superhelix.usd._pxr import UsdError
-from superhelix.usd.curves.bases import Integers, Numbers
+from superhelix.usd.curves.bases import Integers, Numbers, edges_along
 from superhelix.usd.hair import Hair
 
 
@@ -39,6 +39,8 @@ def _joined(parts: Sequence[Part], arrays: list[npt.NDArray[Any] | None], sizes:
     given = [array for array in arrays if array is not None]
     if not given:
         return None
+    if len(arrays) == 1:
+        return given[0]
     shape = given[0].shape[1:]
     for part, array in zip(parts, arrays):
         if array is not None and array.shape[1:] != shape:
@@ -49,10 +51,17 @@ def _joined(parts: Sequence[Part], arrays: list[npt.NDArray[Any] | None], sizes:
     return np.concatenate([np.full((size, *shape), missing, dtype=kind) if array is None else array.astype(kind) for array, size in zip(arrays, sizes)])
 
 
+def _rows(arrays: list[Numbers]) -> Numbers:
+    return arrays[0] if len(arrays) == 1 else np.concatenate(arrays)
+
+
 def merged(parts: Sequence[Part], names: Sequence[str]) -> Hair:
     """The strands of all parts, in order."""
     points, strands = [len(part.points) for part in parts], [len(part.counts) for part in parts]
-    hair = Hair(np.concatenate([part.points for part in parts]), np.concatenate([part.counts for part in parts]).astype(np.uint32))
+    hair = Hair(_rows([part.points for part in parts]), np.concatenate([part.counts for part in parts]).astype(np.uint32))
+    if any(part.arclengths is not None for part in parts):
+        for part in parts:
+            part.arclengths = edges_along(part.points, part.counts) if part.arclengths is None else part.arclengths
     for name in ("arclengths", "widths", "frames"):
         setattr(hair, name, _joined(parts, [getattr(part, name) for part in parts], points, np.nan))
     hair.velocities = _joined(parts, [part.velocities for part in parts], points, 0.0)

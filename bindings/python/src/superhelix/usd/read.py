@@ -15,7 +15,7 @@ from superhelix.frames import multiply, quaternions, rotate
 from superhelix.usd import instances
 from superhelix.usd._pxr import Usd, UsdError, UsdGeom, UsdWarning, errors_of, refuse
 from superhelix.usd.curves import primvars
-from superhelix.usd.curves.bases import Evaluator, Numbers
+from superhelix.usd.curves.bases import Evaluator, LinearCurves, Numbers
 from superhelix.usd.curves.controls import Controls, sample_times
 from superhelix.usd.hair import Hair
 from superhelix.usd.merge import Part, merged
@@ -81,11 +81,12 @@ class HairStage:
             raise ValueError(f"up_axis: {up_axis!r}; UpAxis.Y or UpAxis.Z expected")
         chosen = [prims] if isinstance(prims, str) else prims
         self.options = ReadOptions(chosen, purposes, tolerance, tuple(primvars), max_points, max_prims, steady)
-        self.unit_stated = metres_per_unit is not None or bool(UsdGeom.StageHasAuthoredMetersPerUnit(self.stage))
-        self.metres_per_unit = metres_per_unit or float(UsdGeom.GetStageMetersPerUnit(self.stage))
+        with errors_of(self.name):
+            self.unit_stated = metres_per_unit is not None or bool(UsdGeom.StageHasAuthoredMetersPerUnit(self.stage))
+            self.metres_per_unit = metres_per_unit or float(UsdGeom.GetStageMetersPerUnit(self.stage))
+            own = UpAxis.Z if UsdGeom.GetStageUpAxis(self.stage) == UsdGeom.Tokens.z else UpAxis.Y
         if not 0.0 < self.metres_per_unit < np.inf:
             raise UsdError(self.name, f"metersPerUnit is {self.metres_per_unit}; above 0 expected")
-        own = UpAxis.Z if UsdGeom.GetStageUpAxis(self.stage) == UsdGeom.Tokens.z else UpAxis.Y
         self.up_axis = own if up_axis is None else up_axis
         self._turn = _TURNS.get((own, self.up_axis), np.eye(3)).astype(np.float64)
         self._skeletons: Skeletons | None = None
@@ -160,10 +161,17 @@ class HairStage:
 
         def place(points: Numbers, code: Any) -> Numbers:
             moved = points if skinned is None else skinned.deform(points, code)
-            world = matrix(code)
-            return np.asarray((moved @ world[:3, :3] + world[3, :3]) @ self._turn * self.metres_per_unit)
+            linear, offset = self.placement(matrix(code))
+            out = instances.transformed(moved, linear)
+            out += offset
+            return out
 
         return place
+
+    def placement(self, matrix: Numbers) -> tuple[Numbers, Numbers]:
+        """A placement of the stage as a matrix on rows and an offset, in metres and the chosen axes."""
+        turn = self._turn * self.metres_per_unit
+        return matrix[:3, :3] @ turn, matrix[3, :3] @ turn
 
     def mesh(self, path: str, time: float | None = None) -> SkinMesh:
         """Reads a mesh as it is at a time (s; None: the first sample): placed, deformed by its skeleton, in metres, in the axes of this object."""
@@ -215,7 +223,8 @@ class HairStage:
             self._evaluators.setdefault(placed.path, evaluator)
         counts = controls.counts
         part = Part(placed.path, evaluator.vertex(points), evaluator.counts, evaluator.closed)
-        part.arclengths = evaluator.arclengths(points)
+        # Polylines are as long as they are.
+        part.arclengths = None if isinstance(evaluator, LinearCurves) else evaluator.arclengths(points)
         speeds = self._velocities(placed, controls, skinned, place, points)
         part.velocities = None if speeds is None else evaluator.vertex(speeds)
         matrix = placed.matrix(code)
@@ -252,8 +261,13 @@ class HairStage:
         moving = placed.moving or (skinned is not None and skinned.moving)
         if own is None and not moving:
             return None
-        # Placements are affine in the points.
-        speeds = np.zeros_like(points) if own is None else place(local + own, code) - points
+        if own is None:
+            speeds = np.zeros_like(points)
+        elif skinned is None:
+            speeds = instances.transformed(own, self.placement(placed.matrix(code))[0])
+        else:
+            # Skins are affine in the points.
+            speeds = place(local + own, code) - points
         if code.IsDefault() or not moving:
             return speeds
         now = code.GetValue()

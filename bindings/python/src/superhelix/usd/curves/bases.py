@@ -57,8 +57,9 @@ def starts_of(counts: Integers) -> Integers:
 
 def edges_along(points: Numbers, counts: Integers) -> Numbers:
     """Arclength of each point along its polyline."""
+    edges = np.diff(points, axis=0)
     steps = np.zeros(len(points))
-    steps[1:] = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    steps[1:] = np.sqrt(np.einsum("ij,ij->i", edges, edges))
     return accumulated(steps, counts)
 
 
