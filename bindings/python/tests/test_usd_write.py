@@ -216,8 +216,8 @@ def test_memory_does_not_grow_with_the_frames(layout, tmp_path) -> None:
         [sys.executable, "-c", WRITER, str(tmp_path / "hair.usdc"), layout, "120"], capture_output=True, text=True, env=environment(), check=True
     )
     early, late = (int(line.split()[1]) for line in done.stdout.splitlines())
-    # 110 frames of 2.56 MB came in between.
-    assert late - early < 6000, f"{early} kB after 10 frames, {late} kB after 120"
+    # 110 frames of 2.56 MB, 282 MB in all, came in between; the allocator keeps what a few frames took.
+    assert late - early < 40_000, f"{early} kB after 10 frames, {late} kB after 120"
     assert time.monotonic() - started < 120
     size = sum(file.stat().st_size for file in tmp_path.rglob("*.usdc"))
     assert size < 1.05 * 120 * 64000 * 40 + 1e6
