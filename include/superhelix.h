@@ -2302,31 +2302,6 @@ SHX_API shx_result shx_haptic_create(const shx_solver *solver, const shx_haptic_
 // Threads: exclusive: no call of either side may be running. The handle must not be used afterwards.
 SHX_API void shx_haptic_destroy(shx_haptic *haptic);
 
-// Puts a ring comb with the teeth of a tool (any but plates) into the hand: frame is its pose while the handle
-// is where it is now. From the next shx_haptic_before_step on it goes with the handle and catches those of
-// count strands that its teeth run into, and what these pull with is part of the force on the hand. Removed
-// strands are forgotten. def may be null: all defaults. Its index, 0 for the first, goes to out_index, which
-// may be null. In SHX_HAPTIC_MODE_HAND_OVER the forces of rings stay what they were in the last step until the
-// next one.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_INVALID_ID,
-// SHX_ERROR_UNSUPPORTED (plates), SHX_ERROR_BUSY.
-// Threads: shared for the solver, exclusive for the simulation's side; shx_haptic_update may run meanwhile.
-SHX_API shx_result shx_haptic_add_ring_comb(shx_haptic *haptic, const shx_solver *solver,
-    const shx_tool_def *tool, const shx_frame *frame, const shx_ring_comb_def *def, const shx_strand_id *ids,
-    size_t count, size_t *out_index);
-
-// Writes what the last step did to the ring comb of this index: the results that shx_ring_comb_after_step
-// writes for a comb of its own. All zero before the first step.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (index), SHX_ERROR_BUSY.
-// Threads: exclusive for the simulation's side; shx_haptic_update may run meanwhile.
-SHX_API shx_result shx_haptic_ring_comb_report(const shx_haptic *haptic, size_t index,
-    shx_ring_comb_report *out_report);
-
-// Lets go of all strands that ring combs in the hand hold.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUSY.
-// Threads: exclusive for the solver and for the simulation's side; shx_haptic_update may run meanwhile.
-SHX_API shx_result shx_haptic_release_ring_combs(shx_haptic *haptic, shx_solver *solver);
-
 // Call it before a step, or several substeps, of dt seconds in all: moves the bodies over dt to where the
 // device is now. The device's first pose is where they are placed at once, without sweeping the space in
 // between. Does nothing before the first shx_haptic_update.

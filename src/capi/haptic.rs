@@ -2,13 +2,11 @@
 
 use std::sync::Mutex;
 
-use super::buffers::{OutputValue, array, frame_from, strand_ids};
+use super::buffers::{OutputValue, array, frame_from};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver, write};
 use super::haptic_def::{shx_haptic_def, shx_haptic_state};
-use super::ring_comb::{ring_comb, shx_ring_comb_def, shx_ring_comb_report};
-use super::styling_tool::shx_tool_def;
-use super::types::{shx_body_id, shx_frame, shx_strand_id};
+use super::types::{shx_body_id, shx_frame};
 use super::versioned::{Versioned, VersionedOutput, read_versioned};
 use crate::error::{Error, Result};
 use crate::haptics::{Device, Tool, haptic};
@@ -76,78 +74,6 @@ pub unsafe extern "C" fn shx_haptic_destroy(haptic: *mut shx_haptic) {
         }
         Ok(())
     });
-}
-
-/// Puts a ring comb with the teeth of a tool (any but plates) into the hand: frame is its pose while the
-/// handle is where it is now. From the next shx_haptic_before_step on it goes with the handle and catches
-/// those of count strands that its teeth run into. What these pull with is part of the force on the hand.
-/// Removed strands are forgotten. def may be null: all defaults. The comb's index, 0 for the first, goes to
-/// out_index, which may be null. In SHX_HAPTIC_MODE_HAND_OVER the forces of rings stay what they were in the
-/// last step until the next one.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_INVALID_ID,
-/// SHX_ERROR_UNSUPPORTED (plates), SHX_ERROR_BUSY.
-/// Threads: shared for the solver, exclusive for the simulation's side; shx_haptic_update may run meanwhile.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_haptic_add_ring_comb(
-    haptic: *mut shx_haptic,
-    solver: *const shx_solver,
-    tool: *const shx_tool_def,
-    frame: *const shx_frame,
-    def: *const shx_ring_comb_def,
-    ids: *const shx_strand_id,
-    count: usize,
-    out_index: *mut usize,
-) -> shx_result {
-    // SAFETY: the caller's handles, structures of the sizes that they state, count ids, and place for a number.
-    unsafe {
-        read("shx_haptic_add_ring_comb", solver, |core| {
-            let place = if out_index.is_null() { None } else { Some(OutputValue::new("out_index", out_index)?) };
-            let (comb, ids) = (ring_comb(tool, frame, def)?, strand_ids(ids, count)?);
-            let add = |tool: &mut Tool| tool.add_ring_comb(core, comb, &ids);
-            let index = with(&haptic_from(haptic)?.tool, add).map_err(|error| error.renamed("strands", "ids"))?;
-            if let Some(place) = place {
-                place.write(index);
-            }
-            Ok(())
-        })
-    }
-}
-
-/// Writes what the last step did to the ring comb of this index: the results that shx_ring_comb_after_step
-/// writes for a comb of its own. All zero before the first step.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (index), SHX_ERROR_BUSY.
-/// Threads: exclusive for the simulation's side; shx_haptic_update may run meanwhile.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_haptic_ring_comb_report(
-    haptic: *const shx_haptic,
-    index: usize,
-    out_report: *mut shx_ring_comb_report,
-) -> shx_result {
-    call("shx_haptic_ring_comb_report", || {
-        // SAFETY: the caller's handle, and place for the report.
-        let (haptic, place) = unsafe { (haptic_from(haptic)?, OutputValue::new("out_report", out_report)?) };
-        let report = with(&haptic.tool, |tool| {
-            let mut combs = tool.ring_combs();
-            let count = combs.len();
-            let report = combs.nth(index).map(|(_, report)| *report);
-            report.ok_or_else(|| Error::invalid("index", index, format!("below {count}, the number of ring combs")))
-        })?;
-        place.write((&report).into());
-        Ok(())
-    })
-}
-
-/// Lets go of all strands that ring combs in the hand hold.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUSY.
-/// Threads: exclusive for the solver and for the simulation's side; shx_haptic_update may run meanwhile.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_haptic_release_ring_combs(haptic: *mut shx_haptic, solver: *mut shx_solver) -> shx_result {
-    // SAFETY: the caller's handles, null or alive.
-    unsafe {
-        write("shx_haptic_release_ring_combs", solver, |core, _| {
-            with(&haptic_from(haptic)?.tool, |tool| tool.release_ring_combs(core))
-        })
-    }
 }
 
 /// Call it before a step, or several substeps, of dt seconds in all: moves the bodies over dt to where the

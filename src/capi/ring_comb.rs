@@ -87,11 +87,7 @@ impl From<&RingCombReport> for shx_ring_comb_report {
 ///
 /// # Safety
 /// They are null or point to structures of the sizes that they state.
-pub(super) unsafe fn ring_comb(
-    tool: *const shx_tool_def,
-    frame: *const shx_frame,
-    def: *const shx_ring_comb_def,
-) -> Result<RingComb> {
+unsafe fn ring_comb(tool: *const shx_tool_def, frame: *const shx_frame, def: *const shx_ring_comb_def) -> Result<RingComb> {
     // SAFETY: the same.
     let (tool, frame, def) = unsafe {
         let def = if def.is_null() { shx_ring_comb_def::defaults() } else { read_versioned("def", def)? };
