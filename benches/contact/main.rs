@@ -1,12 +1,13 @@
 //! The cost of contact: a thousand guides on Sintel's bust, shaken, hair against hair and bust, with each model. Also each
 //! model's error for its cost (`price.rs`), and the cost per contact as contacts grow in number (`scaling.rs`).
 //!
-//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--jumps-only
-//! [--random N]]`
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--walk-only]
+//! [--jumps-only [--random N]]`
 
 mod jumps;
 mod price;
 mod scaling;
+mod walk;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -190,8 +191,8 @@ fn main() -> Outcome<()> {
     let count: usize = option("--guides").map_or(Ok(1000), |text| text.parse())?;
 
     let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
-    let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
-    let mesh = Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
+    let vertices: Vec<_> = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
+    let mesh = Shape::new_mesh(vertices.clone(), bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
     let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
     let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
     if arguments.iter().any(|argument| argument == "--jumps-only") {
@@ -204,6 +205,11 @@ fn main() -> Outcome<()> {
     if arguments.iter().any(|argument| argument == "--scaling-only") {
         let scaling = scaling::table(&head, quick)?;
         return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_scaling.csv"), scaling))?);
+    }
+    let walk = || walk::table(&head, (&vertices, &bust.triangles), steps, threads, quick);
+    if arguments.iter().any(|argument| argument == "--walk-only") {
+        let table = walk()?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_walk.csv"), table))?);
     }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
@@ -248,6 +254,7 @@ fn main() -> Outcome<()> {
             std::fs::write(folder.join("contact_price.csv"), prices)?;
             std::fs::write(folder.join("contact_rest.csv"), rest)?;
             std::fs::write(folder.join("contact_scaling.csv"), scaling::table(&head, quick)?)?;
+            std::fs::write(folder.join("contact_walk.csv"), walk()?)?;
         }
     }
     Ok(())

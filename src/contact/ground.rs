@@ -19,8 +19,19 @@ pub(super) struct Node {
     pub now: Vector3<f64>,
     /// Unit tangent there.
     pub tangent: Vector3<f64>,
-    /// What was found there; None: the surface is farther than the reach.
+    /// What was found there.
     pub sample: Option<Sample<Surface>>,
+    /// What its distance is at least where nothing was found: the reach, or so much that nothing lies between it and its neighbours.
+    pub clear: Clear,
+}
+
+/// What is known of a node where no surface was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Clear {
+    /// The surface is farther than the reach.
+    OfReach,
+    /// The surface is at least this far, m, and nothing is in reach between the node and its neighbours.
+    Of(f64),
 }
 
 /// What is asked for the distance of a point in the body's axes.

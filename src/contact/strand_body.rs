@@ -13,7 +13,7 @@ use super::body::BodyAt;
 use super::body_sweep;
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
-use super::ground::{Ground, Node, sample};
+use super::ground::{Clear, Ground, Node, sample};
 use super::overlooked::{self, overlooked};
 use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
 use super::touch::{Partner, Place, StrandPath, Touch};
@@ -197,7 +197,8 @@ impl Search<'_, '_> {
         }
         let piece = self.place_nodes(&path, low, high);
         // The distance at places that are themselves farther than the limit tells where it falls.
-        let reach = self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * piece };
+        let reach =
+            self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * shape.distance_slope() * piece };
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
         let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
         let swept = travel > 0.5 * self.thickness + shape.thinness();
@@ -213,11 +214,26 @@ impl Search<'_, '_> {
         let mut hits = std::mem::take(&mut self.scratch.hits);
         let ground = Ground { body: self.body, mesh, patch: &patch, reach, hint: Cell::default() };
         hits.clear();
+        match mesh {
+            Some(_) => self.ask_of_mesh(&ground, &mut nodes),
+            None => self.ask_of_shape(&ground, &mut nodes, piece),
+        }
         if swept {
             body_sweep::sweep(&ground, self.thickness, &nodes, &mut hits);
         }
+        let from = self.out.len();
+        self.minima(index, &ground, &path, &nodes);
+        for (s, hit) in &hits {
+            self.keep_side(index, &path, piece, from, *s, hit, &ground);
+        }
+        self.out[from..].sort_by(|a, b| a.place.s.total_cmp(&b.place.s));
+        (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
+    }
+
+    /// Finds what lies under the nodes of an element near a mesh.
+    fn ask_of_mesh(&mut self, ground: &Ground, nodes: &mut [Node]) {
         let mut last = nodes.first().map_or_else(Vector3::zeros, |node| node.now);
-        for node in &mut nodes {
+        for node in nodes {
             let mut surface = ground.ask(|| node.before, node.now, self.inside);
             if surface.is_none() && ground.is_pierced(&last, &node.now) {
                 // Deep inside, though the node before is outside.
@@ -231,13 +247,24 @@ impl Search<'_, '_> {
             }
             node.sample = surface.map(|found| sample(node.s, found, &node.tangent));
         }
-        let from = self.out.len();
-        self.minima(index, &ground, &path, &nodes);
-        for (s, hit) in &hits {
-            self.keep_side(index, &path, piece, from, *s, hit, &ground);
+    }
+
+    /// The same near a shape that knows its distance everywhere. Nodes are left out that are, by the distance of the one before, so far that
+    /// nothing is in reach between them and their neighbours.
+    fn ask_of_shape(&mut self, ground: &Ground, nodes: &mut [Node], piece: f64) {
+        let slope = self.body.shape.distance_slope();
+        let far = ground.reach + slope * piece;
+        let mut last: Option<(f64, f64)> = None;
+        for node in nodes {
+            let least = last.map_or(f64::NEG_INFINITY, |(s, distance)| distance - slope * (node.s - s));
+            if least > far {
+                node.clear = Clear::Of(least);
+                continue;
+            }
+            let surface = ground.ask(|| node.before, node.now, self.inside);
+            last = surface.as_ref().map(|surface| (node.s, surface.distance));
+            node.sample = surface.map(|found| sample(node.s, found, &node.tangent));
         }
-        self.out[from..].sort_by(|a, b| a.place.s.total_cmp(&b.place.s));
-        (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
     }
 
     /// Picks the triangles near the element: those that the ends of its pieces are asked for, and, if it is swept, those on its way.
@@ -261,8 +288,12 @@ impl Search<'_, '_> {
     fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;
-        // A quarter of the thickness for the chord's sagitta, a quarter of a radian for its turn.
-        let flat = (8.0 * (0.25 * self.thickness).max(2e-6) / bend).sqrt().min(0.25 / bend);
+        // A quarter of the thickness for the chord's sagitta, a quarter of a radian for its turn. A grid is asked on the curve alone.
+        let sagitta = match self.body.shape.0 {
+            Kind::Grid(_) => f64::INFINITY,
+            _ => (0.25 * self.thickness).max(2e-6),
+        };
+        let flat = (8.0 * sagitta / bend).sqrt().min(0.25 / bend);
         let longest = flat.min(self.body.shape.feature_length()).max(length / MOST_PIECES as f64);
         let count = ((length / longest).ceil() as usize).clamp(1, MOST_PIECES);
         let nodes = &mut self.scratch.nodes;
@@ -270,7 +301,7 @@ impl Search<'_, '_> {
         for node in 0..=count {
             let s = if node == count { high } else { low + length * (node as f64 / count as f64) };
             let ((before, _), (now, tangent)) = (path.start.at(s), path.now.at(s));
-            nodes.push(Node { s, before, now, tangent, sample: None });
+            nodes.push(Node { s, before, now, tangent, sample: None, clear: Clear::OfReach });
         }
         length / count as f64
     }
@@ -295,6 +326,10 @@ impl Search<'_, '_> {
         let mut pieces = std::mem::take(&mut self.scratch.pieces);
         let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
+            if pair.iter().any(|node| matches!(node.clear, Clear::Of(_))) {
+                (before, crest) = (f64::INFINITY, f64::INFINITY);
+                continue;
+            }
             close_to(ground, path, pair, limit, &mut close);
             // Between places outside nothing is looked for deep inside, unless the surface is between them.
             let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);

@@ -145,28 +145,45 @@ impl DistanceGrid {
         let x = Taps::new(place.x, self.counts[0])?;
         let y = Taps::new(place.y, self.counts[1])?;
         let z = Taps::new(place.z, self.counts[2])?;
-        let (row, sheet) = (self.counts[0] as usize, self.counts[0] as usize * self.counts[1] as usize);
-        // The value and its slopes, summed along x, then y, then z.
-        let (mut distance, mut gradient) = (0.0, Vector3::zeros());
-        for k in 0..z.count {
-            let (mut value, mut along_x, mut along_y) = (0.0, 0.0, 0.0);
-            for j in 0..y.count {
-                let from = (z.first + k) * sheet + (y.first + j) * row + x.first;
-                let (mut sum, mut slope) = (0.0, 0.0);
-                for (i, node) in self.values[from..from + x.count].iter().enumerate() {
-                    let node = f64::from(*node);
-                    sum += x.weights[i] * node;
-                    slope += x.slopes[i] * node;
-                }
-                value += y.weights[j] * sum;
-                along_x += y.weights[j] * slope;
-                along_y += y.slopes[j] * sum;
-            }
-            distance += z.weights[k] * value;
-            gradient += Vector3::new(z.weights[k] * along_x, z.weights[k] * along_y, z.slopes[k] * value);
-        }
+        let (distance, gradient) = self.interpolated([&x, &y, &z]);
         let normal = gradient.try_normalize(0.0).unwrap_or_else(Vector3::x);
         Some(Surface::smooth(point - normal * distance, normal, distance))
+    }
+
+    /// The value and its slopes in cells: summed along y, then z, all four nodes of a row side by side, and then along x.
+    #[inline]
+    fn interpolated(&self, [x, y, z]: [&Taps; 3]) -> (f64, Vector3<f64>) {
+        let (mut value, mut along_y, mut along_z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        for k in 0..4 {
+            let (mut sum, mut slope) = ([0.0; 4], [0.0; 4]);
+            for j in 0..4 {
+                let row = self.row(x.first, y.first + j, z.first + k);
+                for i in 0..4 {
+                    let node = f64::from(row[i]);
+                    sum[i] += y.weights[j] * node;
+                    slope[i] += y.slopes[j] * node;
+                }
+            }
+            for i in 0..4 {
+                value[i] += z.weights[k] * sum[i];
+                along_y[i] += z.weights[k] * slope[i];
+                along_z[i] += z.slopes[k] * sum[i];
+            }
+        }
+        let dot = |a: &[f64; 4], b: &[f64; 4]| (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+        let gradient = Vector3::new(dot(&x.slopes, &value), dot(&x.weights, &along_y), dot(&x.weights, &along_z));
+        (dot(&x.weights, &value), gradient)
+    }
+
+    /// Four nodes along x. Where the grid has fewer along an axis the last ones stand for those that it does not have.
+    #[inline]
+    fn row(&self, i: usize, j: usize, k: usize) -> [f32; 4] {
+        let [nx, ny, nz] = self.counts.map(|count| count as usize);
+        let from = (k.min(nz - 1) * ny + j.min(ny - 1)) * nx;
+        match self.values[from + i..from + nx].first_chunk::<4>() {
+            Some(row) => *row,
+            None => std::array::from_fn(|node| self.values[from + (i + node).min(nx - 1)]),
+        }
     }
 
     /// The interpolated distance, m; `within` where the nearest node tells that it is no less; outside the grid what is surely there. `slope` bounds the
@@ -174,8 +191,8 @@ impl DistanceGrid {
     pub(super) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
         let place = (point - self.low) / self.cell;
         if (0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= f64::from(self.counts[axis] - 1)) {
-            let nearest = place.map(f64::round);
-            let [i, j, k] = [0, 1, 2].map(|axis| nearest[axis] as usize);
+            let [i, j, k] = [0, 1, 2].map(|axis| (place[axis] + 0.5) as usize);
+            let nearest = Vector3::new(i as f64, j as f64, k as f64);
             let node = self.values[(k * self.counts[1] as usize + j) * self.counts[0] as usize + i];
             if f64::from(node) - slope * self.cell * (place - nearest).norm() >= within {
                 return within;
@@ -201,11 +218,11 @@ impl DistanceGrid {
     }
 }
 
-/// The nodes along an axis that a place between two of them is interpolated from, by Catmull and Rom's cubic: through all nodes, with
+/// The four nodes along an axis that a place between two of them is interpolated from, by Catmull and Rom's cubic: through all nodes, with
 /// slopes that go on from cell to cell. Beyond the last nodes what is interpolated goes on straight.
 struct Taps {
+    /// The first of the four. Those that the axis does not have weigh nothing.
     first: usize,
-    count: usize,
     weights: [f64; 4],
     /// What the weights grow by a cell.
     slopes: [f64; 4],
@@ -213,38 +230,46 @@ struct Taps {
 
 impl Taps {
     /// For a place in cells from the first of `count` nodes. None outside of them.
-    #[inline]
+    #[inline(always)]
     fn new(place: f64, count: u32) -> Option<Self> {
-        let last = f64::from(count - 1);
-        if !(place >= 0.0 && place <= last) {
+        let last = count as usize - 1;
+        if !(place >= 0.0 && place <= last as f64) {
             return None;
         }
-        let below = place.floor().min(last - 1.0);
-        let u = place - below;
-        let (base, last) = (below as usize, count as usize - 1);
+        let base = (place as usize).min(last - 1);
+        let u = place - base as f64;
         // Of the node before, the two around the place, and the one after.
-        let [mut a, mut b, mut c, mut d] = [
-            [-0.5 * u * (1.0 - u) * (1.0 - u), -0.5 * (1.0 - u) * (1.0 - 3.0 * u)],
-            [1.0 + u * u * (1.5 * u - 2.5), u * (4.5 * u - 5.0)],
-            [u * (0.5 + u * (2.0 - 1.5 * u)), 0.5 + u * (4.0 - 4.5 * u)],
-            [-0.5 * u * u * (1.0 - u), u * (1.5 * u - 1.0)],
+        let weights = [
+            -0.5 * u * (1.0 - u) * (1.0 - u),
+            1.0 + u * u * (1.5 * u - 2.5),
+            u * (0.5 + u * (2.0 - 1.5 * u)),
+            -0.5 * u * u * (1.0 - u),
         ];
-        let part = |taps: [[f64; 2]; 4], of: usize| taps.map(|tap| tap[of]);
-        if base == 0 {
-            for of in 0..2 {
-                (b[of], c[of]) = (b[of] + 2.0 * a[of], c[of] - a[of]);
-            }
-            a = [0.0; 2];
+        let slopes = [-0.5 * (1.0 - u) * (1.0 - 3.0 * u), u * (4.5 * u - 5.0), 0.5 + u * (4.0 - 4.5 * u), u * (1.5 * u - 1.0)];
+        if base > 0 && base + 2 <= last {
+            return Some(Self { first: base - 1, weights, slopes });
         }
-        if base + 2 > last {
-            for of in 0..2 {
-                (c[of], b[of]) = (c[of] + 2.0 * d[of], b[of] - d[of]);
+        Some(Self::at_end(base, count as usize, weights, slopes))
+    }
+
+    /// For a cell at an end of the axis, from the taps of a cell between others.
+    #[cold]
+    fn at_end(base: usize, count: usize, mut weights: [f64; 4], mut slopes: [f64; 4]) -> Self {
+        // What weighs nothing beyond one end gives way to a node at the other.
+        let (whole, kept) = (base as isize - 1, (count as isize - 4).max(0));
+        let first = whole.clamp(0, kept);
+        for taps in [&mut weights, &mut slopes] {
+            if base == 0 {
+                let [a, b, c, d] = *taps;
+                *taps = [0.0, b + 2.0 * a, c - a, d];
             }
-            d = [0.0; 2];
+            if base + 2 >= count {
+                let [a, b, c, d] = *taps;
+                *taps = [a, b - d, c + 2.0 * d, 0.0];
+            }
+            if first > whole { taps.rotate_left((first - whole) as usize) } else { taps.rotate_right((whole - first) as usize) }
         }
-        let all = if base == 0 { [b, c, d, a] } else { [a, b, c, d] };
-        let first = base.saturating_sub(1);
-        Some(Self { first, count: (last - first + 1).min(4), weights: part(all, 0), slopes: part(all, 1) })
+        Self { first: first as usize, weights, slopes }
     }
 }
 

@@ -1,0 +1,154 @@
+//! The first scene that everybody makes: guides all over the scalp of a bust that walks, the bust as a grid, no hair against hair. What contact
+//! costs over the same strands without a bust: wall clock of the threads asked for.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::hair::{Amount, Density, Scalp, ScatterOptions};
+use superhelix::io::Motion;
+use superhelix::{
+    BodyDef, ContactModel, ContactOptions, Frame, Phases, Precision, Shape, Solver, SolverOptions, StepOptions, StrandContact,
+    StrandDef, Workers,
+};
+
+use crate::{EXEMPT, GRAVITY, Outcome, STEP};
+
+/// Hair grows this far down from the top of the head, m.
+const SCALP: f64 = 0.1;
+/// Steps before the head walks off: hair comes down to the head.
+const CALM: usize = 60;
+
+/// A crowd of guides, and how it is stepped.
+struct Case {
+    name: &'static str,
+    guides: usize,
+    elements: usize,
+    precision: Precision,
+    /// None: without the bust.
+    contact: Option<(ContactModel, u32)>,
+}
+
+const CASES: [Case; 5] = [
+    Case { name: "free", guides: 10_000, elements: 10, precision: Precision::F64, contact: None },
+    Case { name: "hard", guides: 10_000, elements: 10, precision: Precision::F64, contact: Some((ContactModel::Coulomb, 50)) },
+    Case {
+        name: "penalty, 1 iteration",
+        guides: 10_000,
+        elements: 10,
+        precision: Precision::F64,
+        contact: Some((ContactModel::Penalty, 1)),
+    },
+    Case { name: "free", guides: 150_000, elements: 5, precision: Precision::F32, contact: None },
+    Case {
+        name: "penalty, 1 iteration",
+        guides: 150_000,
+        elements: 5,
+        precision: Precision::F32,
+        contact: Some((ContactModel::Penalty, 1)),
+    },
+];
+
+/// The guides of a case, at the head's pose at the start.
+fn guides(case: &Case, bust: (&[Vector3<f64>], &[[u32; 3]])) -> Outcome<Vec<StrandDef>> {
+    let top = bust.0.iter().map(|vertex| vertex.y).fold(f64::NEG_INFINITY, f64::max);
+    let scalp = Scalp::new(bust.0.to_vec(), bust.1.to_vec(), None, Vector3::x())?;
+    let density = Density::Vertices(bust.0.iter().map(|vertex| if vertex.y > top - SCALP { 1.0 } else { 0.0 }).collect());
+    let scattered = scalp.scatter(&ScatterOptions { amount: Amount::Count(case.guides), density, seed: 1 })?;
+    let roots = scalp.frames(bust.0, &scattered.follicles)?;
+    let part = |k: usize, by: f64| ((k + 1) as f64 * by).fract();
+    let def = |(k, root): (usize, Frame)| {
+        let mut def = StrandDef::straight(0.25, case.elements);
+        def.material.internal_friction = 1e-10;
+        def.material.air_drag = 5e-6;
+        let (one, two) = (part(k, 0.618_034), part(k, 0.754_878));
+        def.natural = vec![[6.0 * one, 5.0 + 20.0 * two, 3.0 * one]; case.elements];
+        def.root = root;
+        def
+    };
+    Ok(roots.into_iter().enumerate().map(def).collect())
+}
+
+/// Where the walk takes the head from its pose at the start.
+fn carried(motion: &Motion, seconds: f64, middle: &Vector3<f64>) -> Frame {
+    let (first, now) = (motion.at(motion.times()[0]), motion.at(motion.times()[0] + seconds));
+    let rotation: UnitQuaternion<f64> = now.rotation * first.rotation.inverse();
+    Frame { origin: middle + (now.origin - first.origin) - rotation * middle, rotation }
+}
+
+/// The rows of `walk.csv`, which are also printed.
+pub fn table(
+    head: &Arc<Shape>,
+    bust: (&[Vector3<f64>], &[[u32; 3]]),
+    steps: usize,
+    threads: usize,
+    quick: bool,
+) -> Outcome<String> {
+    let motion = Motion::read("tests/data/grooms/walk_figure8_head.csv", None)?;
+    let middle = bust.0.iter().sum::<Vector3<f64>>() / bust.0.len() as f64;
+    let mut csv = String::from(
+        "case,guides,elements,precision,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,penetration_m,unconverged,rolled_back\n",
+    );
+    print!("{csv}");
+    for mut case in CASES {
+        if quick {
+            case.guides /= 50;
+        }
+        let defs = guides(&case, bust)?;
+        let contact = case.contact.map_or(ContactOptions::default(), |(model, max_iterations)| ContactOptions {
+            model,
+            max_iterations,
+            ..ContactOptions::default()
+        });
+        let mut step = StepOptions { precision: case.precision, ..StepOptions::default() };
+        if case.contact.is_some_and(|(_, most)| most == 1) || case.precision == Precision::F32 {
+            (step.max_iterations, step.max_subdivisions) = (1, 0);
+        }
+        let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
+        let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, step, workers, ..SolverOptions::default() })?;
+        let ids = solver.add_strands(&defs)?;
+        let mut bodies = Vec::new();
+        if case.contact.is_some() {
+            bodies = solver.add_bodies(vec![BodyDef::new(head.clone())])?;
+            let strand = StrandContact { exempt_length: EXEMPT, ..StrandContact::default() };
+            solver.set_contact(&ids, Some(&strand))?;
+        }
+        let (mut milliseconds, mut phases, mut contacts, mut iterations) = (Vec::new(), [0.0; 3], 0.0, 0.0);
+        let (mut penetration, mut unconverged, mut rolled_back) = (0.0_f64, 0, 0);
+        for k in 0..CALM + steps {
+            let walked = carried(&motion, (k + 1).saturating_sub(CALM) as f64 * STEP, &middle);
+            let frames: Vec<Frame> = defs.iter().map(|def| walked.compose(&def.root)).collect();
+            solver.set_root_frames(&ids, &frames, STEP)?;
+            if !bodies.is_empty() {
+                solver.set_body_frames(&bodies, &[walked], STEP)?;
+            }
+            let report = solver.step(STEP, 1)?;
+            if k < CALM {
+                continue;
+            }
+            milliseconds.push(1e3 * report.seconds);
+            let Phases { search, strands, contact, .. } = report.phases;
+            for (sum, seconds) in phases.iter_mut().zip([search, strands, contact]) {
+                *sum += 1e3 * seconds / steps as f64;
+            }
+            contacts += f64::from(report.contact.touches) / steps as f64;
+            iterations += report.mean_iterations / steps as f64;
+            penetration = penetration.max(report.contact.penetration);
+            unconverged += report.unconverged;
+            rolled_back += report.quarantined;
+        }
+        milliseconds.sort_by(f64::total_cmp);
+        let at = |part: f64| milliseconds[((milliseconds.len() - 1) as f64 * part) as usize];
+        let [search, strands, contact] = phases;
+        let Case { name, guides, elements, precision, .. } = case;
+        let row = format!(
+            "\"{name}\",{guides},{elements},{precision:?},{:.1},{:.1},{:.1},{search:.1},{strands:.1},{contact:.1},{contacts:.0},{iterations:.2},{penetration:.1e},{unconverged},{rolled_back}",
+            at(0.5),
+            at(0.9),
+            at(1.0)
+        );
+        println!("{row}");
+        writeln!(csv, "{row}")?;
+    }
+    Ok(csv)
+}
