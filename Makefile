@@ -51,6 +51,7 @@ test: ## everything: format, lints, documentation, tests in Rust, C and of all b
 	scripts/test_blender.sh core
 	scripts/test_cpp.sh
 	scripts/test_csharp.sh
+	scripts/test_godot.sh
 	scripts/test_docs.sh
 	$(MAKE) --no-print-directory abi wasm
 	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
@@ -84,7 +85,7 @@ blender: ## the Blender extension as a .zip for this platform: out/blender/
 	python3 bindings/blender/pack.py
 
 godot: ## the host of Godot 3 in C, compiled and tested in the engine under a virtual display: 20,000 lit strands on a head that turns (a minute); says so where it is skipped
-	@scripts/setup.sh test
+	@scripts/setup.sh build python
 	scripts/test_godot.sh
 
 abi: ## the binary interface against its baseline (docs/reference/abi.md)

@@ -18,7 +18,13 @@ for needed in "${godot:-godot3-runner}" Xvfb; do
 done
 . scripts/test_library.sh
 out=$PWD/build/godot
-bindings/godot/build.sh "$library" "$headers" "$out"
+built=0
+bindings/godot/build.sh "$library" "$headers" "$out" || built=$?
+if [ "$built" = 3 ]; then
+  echo "test_godot.sh: SKIPPED: Godot's headers are not here and cannot be downloaded"
+  exit 0
+fi
+[ "$built" = 0 ] || exit "$built"
 
 # A display of our own: xvfb-run may wait for ever when its program has ended.
 scratch=$(mktemp -d)

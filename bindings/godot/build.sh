@@ -2,7 +2,7 @@
 # Builds the Godot 3 host into a folder that `godot3-runner --path FOLDER` runs: the project, the library, the NativeScript in C, a head.
 #   build.sh LIBRARY HEADERS OUT     the folders of libsuperhelix.so and of superhelix.h; where the project goes
 #   GODOT_HEADERS   the folder of gdnative_api_struct.gen.h (github.com/godotengine/godot-headers, branch 3.x). Without it cargo downloads them: the crate
-#                   gdnative-sys has a copy (MIT licence), of which nothing is compiled but these headers
+#                   gdnative-sys has a copy (MIT licence), of which nothing is used but these headers. Where it cannot, the exit status is 3
 set -euo pipefail
 library=$(cd "$1" && pwd)
 headers=$(cd "$2" && pwd)
@@ -17,7 +17,8 @@ if [ -z "$godot_headers" ]; then
   printf '[package]\nname = "headers"\nversion = "0.0.0"\nedition = "2021"\n[dependencies]\ngdnative-sys = "=0.11.3"\n[workspace]\n' >"$manifest/Cargo.toml"
   : >"$manifest/src/lib.rs"
   godot_headers=$(cargo metadata --quiet --format-version 1 --manifest-path "$manifest/Cargo.toml" |
-    python3 -c 'import json, os, sys; print(*(os.path.dirname(p["manifest_path"]) + "/godot_headers" for p in json.load(sys.stdin)["packages"] if p["name"] == "gdnative-sys"))')
+    python3 -c 'import json, os, sys; print(*(os.path.dirname(p["manifest_path"]) + "/godot_headers" for p in json.load(sys.stdin)["packages"] if p["name"] == "gdnative-sys"))') ||
+    { echo "build.sh: cargo cannot download Godot's headers: set GODOT_HEADERS" >&2; exit 3; }
 fi
 [ -f "$godot_headers/gdnative_api_struct.gen.h" ] || { echo "build.sh: $godot_headers has no gdnative_api_struct.gen.h: set GODOT_HEADERS" >&2; exit 1; }
 

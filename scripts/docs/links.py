@@ -5,7 +5,8 @@
 
 Relative links and anchors of every Markdown page; files of the repository that pages name in code (`tests/...rs`), except in the notebook and the
 changelog, which are history; tests that pages of docs/theory name (`a_long_name_of_a_test`); names of pages (`docs/...md`) in sources, scripts and
-tests; every page of docs/ is listed in docs/SUMMARY.md. Prints what is broken; exit status 1 if anything is.
+tests; functions, types and constants of the C header that pages name, in text and in code; every page of docs/ is listed in docs/SUMMARY.md. Prints what is
+broken; exit status 1 if anything is.
 """
 
 from __future__ import annotations
@@ -23,6 +24,9 @@ NAMED = re.compile(r"(?<![\w./$-])docs/[\w/-]+\.md(?:#[\w-]+)?")
 FILE = re.compile(r"`((?:src|tests|examples|examples_c|examples_wasm|benches|scripts|bindings|abi|packaging|include)/[\w/.-]*\w)`")
 #: What names a test or another function in a page of the theory.
 LONG_NAME = re.compile(r"`([a-z][a-z0-9]*(?:_[a-z0-9]+){3,})`")
+#: What names something of the C header; environment variables begin like its constants.
+C_NAME = re.compile(r"\b(?:shx|SHX)_\w*[A-Za-z0-9]\b")
+VARIABLES = {"SHX_BLESS", "SHX_BUILD_DIR", "SHX_LINKAGE", "SHX_LINKER", "SHX_PROFILE"}
 HISTORY = (Path("docs/notebook"), Path("CHANGELOG.md"))
 #: Files that name pages.
 TEXT = {".rs", ".h", ".c", ".hpp", ".cpp", ".cs", ".py", ".sh", ".toml", ".txt", ".json", ".md", ".mjs", ".ipynb", ".cmake", ".js", ".css", ""}
@@ -76,6 +80,20 @@ class Checker:
                     if found[1] not in words:
                         self.broken.append(f"{page}:{line}: no source has {found[1]}")
 
+    def header(self, pages: list[Path]) -> None:
+        """The functions, types and constants of the C header that pages name are there."""
+        names = set(VARIABLES)
+        for file in ("superhelix.h", "superhelix_inline.h"):
+            names.update(C_NAME.findall((ROOT / "include" / file).read_text(encoding="utf-8")))
+        for page in pages:
+            if any(page.is_relative_to(history) for history in HISTORY):
+                continue
+            for line, text in enumerate((ROOT / page).read_text(encoding="utf-8").splitlines(), 1):
+                for name in C_NAME.findall(text):
+                    self.checked += 1
+                    if name not in names:
+                        self.broken.append(f"{page}:{line}: the C header has no {name}")
+
     def file(self, where: str, name: str) -> None:
         """A file that a page names; a module may go without its ending."""
         self.checked += 1
@@ -111,6 +129,7 @@ def main() -> int:
             checker.names(file)
     checker.summary()
     checker.claims(tracked("docs/theory/*.md"))
+    checker.header(tracked("*.md"))
     for line in checker.broken:
         print(line, file=sys.stderr)
     print(f"links: {checker.checked} checked, {len(checker.broken)} broken")

@@ -260,8 +260,8 @@ shx_result hair_step(hair *h, double seconds, uint32_t substeps) { return shx_so
 
 shx_result hair_draw(hair *h, const hair_vertices *to) {
   TRY(shx_solver_set_render_pose(h->solver, h->ids, h->options.guides, 0, h->pose));
-  const shx_output points = {to->positions, to->stride, to->count, SHX_FORMAT_F32X3, 0};
-  const shx_output frames = {to->frames, to->stride, to->count, SHX_FORMAT_F32X4, 0};
+  const shx_output points = {to->positions, to->position_stride, to->count, SHX_FORMAT_F32X3, 0};
+  const shx_output frames = {to->frames, to->frame_stride, to->count, SHX_FORMAT_F32X4, 0};
   return shx_solver_evaluate_render_pose(h->solver, h->pose, NULL, &points, &frames, NULL);
 }
 

@@ -35,11 +35,12 @@ typedef struct hair {
   shx_step_report report; /* of the last step */
 } hair;
 
-/* Where the drawn strands go: one item a point, strand by strand, stride bytes apart. The bytes between are left alone. */
+/* Where the drawn strands go: one item a point, strand by strand, so many bytes apart; in one buffer or in two. The bytes between are left alone. */
 typedef struct hair_vertices {
   void *positions; /* three floats */
   void *frames; /* four floats: a quaternion x, y, z, w that turns x into the tangent */
-  size_t stride, count;
+  size_t position_stride, frame_stride;
+  size_t count;
 } hair_vertices;
 
 void hair_options_init(hair_options *options);

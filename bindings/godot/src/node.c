@@ -275,7 +275,7 @@ static godot_variant draw(node *n, godot_variant **a) {
     return text("draw: grow hair, make a mesh of surface(), and call use_vertices first");
   godot_pool_byte_array_write_access *to = api->godot_pool_byte_array_write(&n->vertices);
   uint8_t *bytes = api->godot_pool_byte_array_write_access_ptr(to);
-  const hair_vertices where = {bytes, bytes + n->frames, n->stride, vertex_count(n)};
+  const hair_vertices where = {bytes, bytes + n->frames, n->stride, n->stride, vertex_count(n)};
   const shx_result result = hair_draw(&n->hair, &where);
   api->godot_pool_byte_array_write_access_destroy(to);
   return outcome(result);
