@@ -316,7 +316,7 @@ fn population(strands: usize, csv: &mut String) {
 /// Bytes per strand: as reported by the solver, as requested from the allocator, and as taken by it.
 fn memory(csv: &mut String) {
     const STRANDS: usize = 2000;
-    println!("bytes a strand ({STRANDS} strands, each of a shape of its own, after four steps): told, asked for, taken");
+    println!("bytes per strand ({STRANDS} strands, each of a shape of its own, after four steps): reported, requested, taken");
     for integrator in [Integrator::SecondOrder, Integrator::ImplicitEuler, Integrator::LinearlyImplicit] {
         for elements in [5, 10, 50] {
             let held = |strands: usize| {

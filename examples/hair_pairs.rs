@@ -6,10 +6,10 @@ use std::time::Instant;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::internals::contact::contact_point::{StrandCurve, StrandPath};
 use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
 use superhelix::internals::contact::pieces::Wisp;
-use superhelix::internals::contact::touch::{StrandCurve, StrandPath};
-use superhelix::internals::contact::touches::TouchScratch;
+use superhelix::internals::contact::strand_contacts::PairScratch;
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::Mat3;
 use superhelix::internals::rod::kinematics::Kinematics;
@@ -83,7 +83,7 @@ fn main() {
             let wisps = vec![Wisp { radius, exempt: 0.01, ..Wisp::default() }; strands.len()];
             let mut pairs = HairPairs::default();
             let (mut search, mut again, mut narrow, mut count) = (f64::INFINITY, f64::INFINITY, f64::INFINITY, 0);
-            let (mut scratch, mut touches) = (TouchScratch::default(), Vec::new());
+            let (mut scratch, mut contacts) = (PairScratch::default(), Vec::new());
             for _ in 0..5 {
                 pairs.set(&wisps, &PairOptions { activation: 0.2e-3, margin }).expect("the options are in range");
                 pairs.begin_step();
@@ -94,12 +94,12 @@ fn main() {
                 assert!(!pairs.update(&paths).expect("as many paths as wisps"));
                 again = again.min(clock.elapsed().as_secs_f64());
                 let clock = Instant::now();
-                touches.clear();
+                contacts.clear();
                 for group in pairs.groups() {
-                    pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut touches);
+                    pairs.contacts(group, &paths, f64::INFINITY, &mut scratch, &mut contacts);
                 }
                 narrow = narrow.min(clock.elapsed().as_secs_f64());
-                count = touches.len();
+                count = contacts.len();
             }
             let counts = pairs.counts();
             println!(

@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 venv=build/python-venv
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib mypy nbclient ipykernel pytest ruff
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib mypy nbclient ipykernel pytest ruff "usd-core>=24.11"
 python=$PWD/$venv/bin/python
 
 cd bindings/python

@@ -15,7 +15,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 cargo build --quiet --locked --all-features --lib --bin superhelix
 venv=build/python-venv
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib "usd-core>=24.11"
 
 csharp=()
 if command -v mcs >/dev/null; then

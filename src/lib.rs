@@ -85,7 +85,7 @@
 // - `analysis/`: Analysis of strands, on top of the solver: settings by error, elements by need, friction from recordings, combing force, equilibria that buckle.
 // - `capi/`: The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 // - `chain/`: The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
-// - `contact/`: Contact and constraints: bodies and hair against hair.
+// - `contact/`: Contact and bilateral constraints: bodies and hair against hair.
 // - `energy/`: The terms of the incremental potential, one file per term.
 // - `facade/`: What Rust programs see: the public names, gathered from the modules that define them.
 // - `files/`: Files: grooms, motions and caches, read and written.

@@ -99,7 +99,7 @@ const TASKS_PER_THREAD: usize = 4;
 const MAX_GROUPS: usize = 32;
 
 /// The threads, and their scratch memory.
-pub(crate) struct Crew<S> {
+pub(crate) struct WorkerSet<S> {
     runner: Runner,
     /// Each thread of the pool gets its own back; all others share the first one's. Boxed: scratch memory is large, and is lent
     /// out for every few strands.
@@ -168,7 +168,7 @@ impl Drop for Pool {
     }
 }
 
-impl<S: Default + Send> Crew<S> {
+impl<S: Default + Send> WorkerSet<S> {
     /// The calling thread alone, with scratch memory created for each loop.
     pub fn serial() -> Self {
         Self { runner: Runner::Serial, workspaces: Vec::new() }
@@ -238,7 +238,7 @@ impl<S: Default + Send> Crew<S> {
     /// The number of threads. A host's threads are unknown, so its tasks are as small as possible.
     fn threads(&self) -> usize {
         match &self.runner {
-            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if crew.is_here() => pool.current_num_threads() + 1,
+            Runner::Pool(workers @ Pool { pool: Some(pool), .. }) if workers.is_here() => pool.current_num_threads() + 1,
             Runner::Serial | Runner::Pool(_) => 1,
             Runner::Host(_) => usize::MAX,
         }
@@ -270,7 +270,7 @@ impl<S: Default + Send> Crew<S> {
         }
     }
 
-    /// As [`Crew::for_each`], but never on the host's threads: the calling thread replaces them.
+    /// As [`WorkerSet::for_each`], but never on the host's threads: the calling thread replaces them.
     pub fn for_each_on_own<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut S) + Sync) {
         if let Runner::Host(_) = self.runner {
             self.with_scratch(0, |scratch| items.iter_mut().for_each(|item| work(item, scratch)));
@@ -338,11 +338,11 @@ mod tests {
     #[test]
     fn every_item_is_worked_on_once() {
         for threads in [2, 3, 40] {
-            let crew = Crew::<()>::new(&Workers::Pool(threads)).unwrap();
+            let workers = WorkerSet::<()>::new(&Workers::Pool(threads)).unwrap();
             for count in [0, 1, 7, 8, 9, 65, 1000] {
                 for (least, most) in [(1, 1), (4, 4), (4, 64)] {
                     let mut items = vec![0_u32; count];
-                    crew.for_each_task(&mut items, least, most, |chunk, _| {
+                    workers.for_each_task(&mut items, least, most, |chunk, _| {
                         assert!(chunk.len() <= most);
                         chunk.iter_mut().for_each(|item| *item += 1);
                     });
@@ -391,7 +391,7 @@ mod tests {
     fn a_team_goes_through_rounds_together() {
         const PIECES: usize = 4;
         for (k, workers) in all_workers().iter().enumerate() {
-            let crew = Crew::<()>::new(workers).unwrap();
+            let workers = WorkerSet::<()>::new(workers).unwrap();
             // Each piece needs the results of all pieces of the round before: none may start before those are done.
             let next = |values: &[u64; PIECES], piece: usize| {
                 values.iter().fold(piece as u64, |all, value| all.rotate_left(9).wrapping_add(*value).wrapping_mul(5))
@@ -407,7 +407,7 @@ mod tests {
                 values[(round + 1) % 2].lock().unwrap()[piece] = value;
             };
             let (mut expected, mut calls) = (first, 0);
-            crew.together(PIECES, &work, |team| {
+            workers.together(PIECES, &work, |team| {
                 calls += 1;
                 for round in 0..1000 {
                     rounds.store(round, Ordering::Relaxed);
@@ -422,17 +422,17 @@ mod tests {
     #[test]
     fn a_team_in_which_one_panics_ends_in_that_panic() {
         for (k, workers) in all_workers()[..3].iter().enumerate() {
-            let crew = Crew::<()>::new(workers).unwrap();
+            let workers = WorkerSet::<()>::new(workers).unwrap();
             for piece in 0..8 {
                 let work = |own: usize| assert_ne!(own, piece);
-                let run = || crew.together(8, &work, |team| (0..100).for_each(|_| team.each(8)));
+                let run = || workers.together(8, &work, |team| (0..100).for_each(|_| team.each(8)));
                 std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).expect_err("a panic");
             }
             let done = AtomicUsize::new(0);
             let work = |_: usize| {
                 done.fetch_add(1, Ordering::Relaxed);
             };
-            crew.together(8, &work, |team| team.each(8));
+            workers.together(8, &work, |team| team.each(8));
             assert_eq!(done.into_inner(), 8, "crew {k}");
         }
     }

@@ -1,5 +1,5 @@
 //! Contact that is off is free: the same instructions (counted by callgrind), no allocation and not a byte more than in a scene that never
-//! heard of it. Bits: `what_touches_nothing_moves_as_without_contact` in `contact/hair_on_hair.rs`.
+//! heard of it. Bits: `strands_without_contacts_move_as_if_contact_were_off` in `contact/hair_on_hair.rs`.
 #![cfg(target_os = "linux")]
 #![allow(unsafe_code)]
 
@@ -151,7 +151,7 @@ fn instructions(case: usize) -> f64 {
 }
 
 #[test]
-fn contact_that_is_off_costs_nothing() {
+fn disabled_contact_costs_nothing() {
     let solver = scene(CASES[0].1);
     let bytes = solver.memory_usage();
     // The first case twice. All side by side, and before any allocation is counted.

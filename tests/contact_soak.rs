@@ -210,7 +210,7 @@ struct Tally {
     stayed: u64,
     /// Scenes whose energy rose after the bodies were removed.
     rose: u64,
-    /// Steps after which a touch drew.
+    /// Steps after which a contact drew.
     drawing: u64,
     /// Steps after which more than [`FEW`] strands hung together.
     large: u64,
@@ -271,7 +271,7 @@ impl Scene {
             let report = self.solver.step(self.step, 1).unwrap();
             tally.steps += 1;
             tally.unconverged += u64::from(report.contact.unconverged > 0);
-            tally.touched += u64::from(report.contact.touches > 0);
+            tally.touched += u64::from(report.contact.contacts > 0);
             self.count_lost(&report, tally);
             tally.large += u64::from(self.many && largest_island(&self.solver, &self.strands) > FEW);
             assert!(report.energies.kinetic.is_finite() && report.energies.elastic.is_finite(), "{name} step {step}");
@@ -305,7 +305,7 @@ impl Scene {
                 if overlap > DEEP && report.contact.penetration < 0.5 * overlap {
                     tally.untold += 1;
                     println!(
-                        "{name} step {step}: {depth:e} m deep in a body, {overlap:e} m in anything, told as {:e}",
+                        "{name} step {step}: {depth:e} m deep in a body, {overlap:e} m in anything, reported as {:e}",
                         report.contact.penetration
                     );
                 }
@@ -358,7 +358,7 @@ impl Scene {
         if rose {
             println!("{name}: energy rose from {before:e} to {most:e}, {last:e} in the end, of {scale:e}");
         }
-        // Wisps in wisps are let go of with touches that are not solved.
+        // Wisps in wisps are let go of with contacts that are not solved.
         assert!(self.many || !rose, "{name}: energy rose from {before:e} to {most:e}, {last:e} in the end, of {scale:e}");
     }
 }
@@ -371,7 +371,7 @@ fn case_of(case: u64, many: bool) -> (Scene, String) {
 
 /// Bodies that come after strands fail to reach them again and again: in some steps a strand is left out, in others it is rolled back.
 #[test]
-fn strands_that_bodies_come_after_are_not_lost_for_long() {
+fn strands_chased_by_bodies_do_not_diverge_for_long() {
     for case in [126, 152] {
         let mut tally = Tally::default();
         let (mut scene, name) = case_of(case, false);

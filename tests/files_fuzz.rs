@@ -244,7 +244,7 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
             assert!(cache.texture().is_none_or(|texture| texture.corners().len() == mesh.triangles.len()));
             for time in cache.times().iter().take(4) {
                 let (vertices, memory) = peak(|| cache.vertices(*time));
-                assert!(memory <= allowance(name, bytes.len()), "{name}, at {time}: {memory}");
+                assert!(memory <= permitted_overlap(name, bytes.len()), "{name}, at {time}: {memory}");
                 assert!(
                     vertices.is_ok_and(|vertices| vertices.iter().flatten().all(|value| value.is_finite()))
                         || *time > cache.times()[0]
@@ -270,7 +270,7 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
         assert!(cache.times().windows(2).all(|pair| pair[0] < pair[1]));
         for index in 0..cache.times().len().min(4) {
             let (frame, memory) = peak(|| cache.frame(index));
-            assert!(memory <= allowance(name, bytes.len()), "{name}, frame {index}: {memory}");
+            assert!(memory <= permitted_overlap(name, bytes.len()), "{name}, frame {index}: {memory}");
             if let Ok(frame) = frame {
                 assert!(frame.points().iter().flatten().all(|value| value.is_finite()));
             }
@@ -288,7 +288,7 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
 /// The permitted memory for a file of this many bytes, beside some for the text of an error. A point takes 12 bytes, as little as two of an OBJ
 /// file name one, and Vec grows by doubling; a sample of a motion with its velocities takes 168. A control point of a USD file takes eight
 /// bytes at least, is kept and becomes four points, which carry all else that curves have.
-fn allowance(name: &str, bytes: usize) -> usize {
+fn permitted_overlap(name: &str, bytes: usize) -> usize {
     let times = match name {
         _ if is_motion(name) || is_recorded_curve(name) => 24,
         _ if name.ends_with(".usda") || name.ends_with(".usdmesh") => 48,
@@ -301,7 +301,7 @@ fn whole_files_are_read_within_the_memory_limit() {
     for (name, bytes) in seeds() {
         let (count, memory) = read(name, bytes);
         assert!(count.is_some(), "{name}: {:?}", Curves::read_from_bytes(name, bytes));
-        assert!(memory <= allowance(name, bytes.len()), "{name}: {memory} for {}", bytes.len());
+        assert!(memory <= permitted_overlap(name, bytes.len()), "{name}: {memory} for {}", bytes.len());
         // The measurement sees at least what is handed out.
         assert!(memory >= 12 * count.unwrap_or_default(), "{name}: {memory}");
     }
@@ -335,7 +335,7 @@ fn no_number_in_a_head_makes_a_reader_ask_for_much() {
                 let mut changed = bytes.clone();
                 changed[at..at + 4].copy_from_slice(&number.to_le_bytes());
                 let (_, memory) = read(name, &changed);
-                assert!(memory <= allowance(name, bytes.len()), "{name}, {number:#x} at {at}: {memory}");
+                assert!(memory <= permitted_overlap(name, bytes.len()), "{name}, {number:#x} at {at}: {memory}");
             }
         }
         // Every number of a text's head.
@@ -343,7 +343,7 @@ fn no_number_in_a_head_makes_a_reader_ask_for_much() {
             for word in text.split_whitespace().take(200).filter(|word| word.parse::<f64>().is_ok()) {
                 for number in ["0", "-1", "65536", "2147483648", "4294967295", "18446744073709551615", "1e308", "nan"] {
                     let (_, memory) = read(name, text.replacen(word, number, 1).as_bytes());
-                    assert!(memory <= allowance(name, bytes.len() + 20), "{name}, {number} for {word}: {memory}");
+                    assert!(memory <= permitted_overlap(name, bytes.len() + 20), "{name}, {number} for {word}: {memory}");
                 }
             }
         }
@@ -366,7 +366,7 @@ fn small_prims_take_little() {
         ] {
             for name in ["prims.usda", "prims.usdmesh"] {
                 let (_, memory) = read(name, text.as_bytes());
-                assert!(memory <= allowance(name, text.len()), "{name}, {prim}: {memory} for {}", text.len());
+                assert!(memory <= permitted_overlap(name, text.len()), "{name}, {prim}: {memory} for {}", text.len());
             }
         }
     }
@@ -442,7 +442,7 @@ fn mutilated_files_are_survived() {
             accidents.iter().for_each(|accident| accident.happen(&mut bytes));
             bytes.extend(rest);
             let (count, memory) = read(name, &bytes);
-            prop_assert!(memory <= allowance(name, bytes.len()), "{name}: {memory} for {}", bytes.len());
+            prop_assert!(memory <= permitted_overlap(name, bytes.len()), "{name}: {memory} for {}", bytes.len());
             WHOLE.fetch_add(usize::from(count.is_some()), Ordering::Relaxed);
             Ok(())
         })
@@ -469,7 +469,7 @@ fn noise_is_survived() {
             let bytes =
                 if names[which] == "a.usda" { [&b"#usda 1.0\ndef BasisCurves \"c\" {"[..], &bytes].concat() } else { bytes };
             let (_, memory) = read(names[which], &bytes);
-            prop_assert!(memory <= allowance(names[which], bytes.len()));
+            prop_assert!(memory <= permitted_overlap(names[which], bytes.len()));
             Ok(())
         })
         .unwrap();

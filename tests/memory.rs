@@ -38,9 +38,9 @@ fn compare(what: &str, made: impl Fn(usize) -> Solver) -> f64 {
     let (few, many) = (of(STRANDS / 2), of(STRANDS));
     let strands = many.2 - few.2;
     let (held, told) = ((many.0 - few.0) / strands, (many.1 - few.1) / strands);
-    println!("{what}: told {told:.1}, held {held:.1} bytes a strand; beside them {:.0} bytes", many.0 - many.1);
+    println!("{what}: reported {told:.1}, allocated {held:.1} bytes per strand; besides {:.0} bytes", many.0 - many.1);
     // Scratch memory may differ by what one strand more or less of the longest made it grow.
-    assert!((held - told).abs() < 0.01 * held, "{what}: told {told}, held {held}");
+    assert!((held - told).abs() < 0.01 * held, "{what}: reported {told}, allocated {held}");
     told
 }
 

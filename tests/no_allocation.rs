@@ -63,7 +63,7 @@ fn steps_do_not_allocate() {
     }
     for precision in [Precision::F64, Precision::F32] {
         let parts = allocations(Integrator::SecondOrder, Workers::Serial, 1e-5, best, precision);
-        println!("{precision:?} in parts: {parts}");
+        println!("{precision:?} in substeps: {parts}");
         assert_eq!(parts, 0);
         for set in [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
             if set <= best {

@@ -101,7 +101,7 @@ struct Shaken {
     milliseconds: Vec<f64>,
     /// For a mean step: search, steps of strands, contact problems, s.
     phases: [f64; 3],
-    touches: f64,
+    contacts: f64,
     iterations: f64,
     most_iterations: u32,
     sweeps: f64,
@@ -133,7 +133,7 @@ fn shake(
         model: name,
         milliseconds: Vec::new(),
         phases: [0.0; 3],
-        touches: 0.0,
+        contacts: 0.0,
         iterations: 0.0,
         most_iterations: 0,
         sweeps: 0.0,
@@ -164,7 +164,7 @@ fn shake(
         for (sum, seconds) in out.phases.iter_mut().zip([search, strands, contact]) {
             *sum += seconds / steps as f64;
         }
-        out.touches += f64::from(report.contact.touches) / steps as f64;
+        out.contacts += f64::from(report.contact.contacts) / steps as f64;
         out.iterations += report.mean_iterations / steps as f64;
         out.most_iterations = out.most_iterations.max(report.contact.iterations);
         out.sweeps += report.contact.sweeps as f64 / steps as f64;
@@ -213,7 +213,7 @@ fn main() -> Outcome<()> {
     }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
-        "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,touches,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
+        "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
     );
     println!(
         "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
@@ -232,7 +232,7 @@ fn main() -> Outcome<()> {
             1e3 * out.phases[0],
             1e3 * out.phases[1],
             1e3 * out.phases[2],
-            out.touches,
+            out.contacts,
             out.iterations,
             out.most_iterations,
             out.sweeps,

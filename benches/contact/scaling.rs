@@ -7,10 +7,10 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use rustix::time::{ClockId, clock_gettime};
+use superhelix::internals::contact::contact_point::{StrandCurve, StrandPath};
 use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
 use superhelix::internals::contact::pieces::Wisp;
-use superhelix::internals::contact::touch::{StrandCurve, StrandPath};
-use superhelix::internals::contact::touches::TouchScratch;
+use superhelix::internals::contact::strand_contacts::PairScratch;
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::Mat3;
 use superhelix::internals::rod::kinematics::Kinematics;
@@ -29,7 +29,7 @@ const APART: f64 = 0.4;
 const TUFTS: [usize; 5] = [8, 16, 32, 64, 128];
 const GUIDES: [usize; 5] = [125, 250, 500, 1000, 2000];
 /// With the hard model a head has at most this many guides.
-const MOST_HARD: usize = 500;
+const MAX_HARD: usize = 500;
 const STEPS: usize = 30;
 
 /// A moving scene, and the radius of its wisps.
@@ -94,12 +94,12 @@ fn seconds() -> f64 {
 fn search(pairs: &mut HairPairs, then: &Poses, now: &Poses) -> Outcome<(usize, f64)> {
     let path = |k| StrandPath { index: k as u32, start: then.curve(k), now: now.curve(k) };
     let paths: Vec<StrandPath> = (0..now.0.len()).map(path).collect();
-    let (mut scratch, mut found) = (TouchScratch::default(), Vec::new());
+    let (mut scratch, mut found) = (PairScratch::default(), Vec::new());
     let started = seconds();
     pairs.begin_step();
     pairs.update(&paths)?;
     for group in pairs.groups() {
-        pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut found);
+        pairs.contacts(group, &paths, f64::INFINITY, &mut scratch, &mut found);
     }
     Ok((found.len(), seconds() - started))
 }
@@ -119,7 +119,7 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
     let mut pairs = HairPairs::default();
     let wisp = Wisp { radius: scene.wisp_radius, exempt: exempt_length, ..Wisp::default() };
     pairs.set(&vec![wisp; ids.len()], &PairOptions { activation: 0.1 * scene.wisp_radius, margin: 0.5 * scene.wisp_radius })?;
-    let (mut milliseconds, mut touches, mut iterations, mut unconverged) = (Vec::new(), 0.0, 0.0, 0);
+    let (mut milliseconds, mut contacts, mut iterations, mut unconverged) = (Vec::new(), 0.0, 0.0, 0);
     let (mut searched, mut found) = (Vec::new(), 0.0);
     for step in 0..CALM + steps {
         let at = (step + 1) as f64 * STEP;
@@ -140,7 +140,7 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
             continue;
         }
         milliseconds.push(took * 1e3);
-        touches += f64::from(report.contact.touches) / steps as f64;
+        contacts += f64::from(report.contact.contacts) / steps as f64;
         iterations += report.mean_iterations / steps as f64;
         unconverged += report.unconverged;
         searched.push(searching * 1e3);
@@ -152,10 +152,10 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
     };
     let (step, search) = (median(&mut milliseconds), median(&mut searched));
     Ok(format!(
-        "{},\"{name}\",{},{touches:.0},{step:.2},{:.1},{iterations:.2},{found:.0},{search:.3},{:.2},{unconverged}",
+        "{},\"{name}\",{},{contacts:.0},{step:.2},{:.1},{iterations:.2},{found:.0},{search:.3},{:.2},{unconverged}",
         scene.case,
         scene.defs.len(),
-        1e3 * step / touches.max(1.0),
+        1e3 * step / contacts.max(1.0),
         1e3 * search / found.max(1.0),
     ))
 }
@@ -163,12 +163,12 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
 /// The table; `quick`: its smallest rows, a few steps.
 pub fn table(head: &Arc<Shape>, quick: bool) -> Outcome<String> {
     let mut csv = String::from(
-        "case,model,strands,touches,ms_a_step,us_a_touch,iterations,touches_found,search_ms,search_us_a_touch_found,unconverged\n",
+        "case,model,strands,contacts,ms_a_step,us_a_contact,iterations,contacts_found,search_ms,search_us_a_contact_found,unconverged\n",
     );
     let (rows, steps) = if quick { (1, 4) } else { (TUFTS.len(), STEPS) };
     let mut add = |scene: &Scene| -> Outcome<()> {
         for model in MODELS {
-            if scene.head.is_some() && model.0 == ContactModel::Coulomb && scene.defs.len() > MOST_HARD {
+            if scene.head.is_some() && model.0 == ContactModel::Coulomb && scene.defs.len() > MAX_HARD {
                 continue;
             }
             let row = row(scene, model, steps)?;

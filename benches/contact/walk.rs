@@ -131,7 +131,7 @@ pub fn table(
             for (sum, seconds) in phases.iter_mut().zip([search, strands, contact]) {
                 *sum += 1e3 * seconds / steps as f64;
             }
-            contacts += f64::from(report.contact.touches) / steps as f64;
+            contacts += f64::from(report.contact.contacts) / steps as f64;
             iterations += report.mean_iterations / steps as f64;
             penetration = penetration.max(report.contact.penetration);
             unconverged += report.unconverged;

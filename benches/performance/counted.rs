@@ -122,9 +122,9 @@ fn step_in<T: Lane>(setting: &crowd::Setting) -> (f64, f64) {
     let rates = vec![[0.0; 3]; curvatures.len()];
     let mut state = StrandState::new(&model, &rules, curvatures, rates, def.root, def.root_velocity, def.root_angular_velocity);
     // A history at rest, so that the second-order integrator takes its usual path.
-    state.past.curvatures.clone_from(&state.curvatures);
-    state.past.velocities.clone_from(&state.velocities);
-    (state.past.root, state.past.step) = (state.root, STEP);
+    state.history.curvatures.clone_from(&state.curvatures);
+    state.history.velocities.clone_from(&state.velocities);
+    (state.history.root, state.history.step) = (state.root, STEP);
     let surroundings = Surroundings { gravity: GRAVITY.into(), wind: Vector3::zeros().into() };
     let options = setting.options.step;
     let inner = Setting { surroundings: &surroundings, options: &options, rules: &rules };

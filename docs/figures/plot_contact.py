@@ -26,10 +26,10 @@ def show(lines, name, *pages):
 
 
 def shake():
-    lines = [(row["model"], row["median_ms"], row["ninth_decile_ms"], row["worst_ms"], row["touches"], row["iterations"],
+    lines = [(row["model"], row["median_ms"], row["ninth_decile_ms"], row["worst_ms"], row["contacts"], row["iterations"],
               row["most_iterations"], row["penetration_m"], row["overlap_m"], row["deep_steps"], row["residual"], row["unconverged"], row["rolled_back"])
              for row in rows("contact_shake.csv")]
-    show(table(("model", "ms a step, median", "nine of ten", "worst", "touches", "iterations, mean", "most", "deepest told, m",
+    show(table(("model", "ms a step, median", "nine of ten", "worst", "contacts", "iterations, mean", "most", "deepest reported, m",
                 "overlap, m", "of 90 steps deeper than 0.1 mm", "residual",
                 "unconverged strand steps", "rolled back"), lines), "shake", "notebook/contact.md")
 
@@ -53,11 +53,11 @@ def rest():
 
 
 def scaling():
-    lines = [("tufts of 16 strands" if row["case"] == "tufts" else "one head", row["model"], row["strands"], row["touches"], row["ms_a_step"], row["us_a_touch"],
-              row["touches_found"], row["search_ms"], row["search_us_a_touch_found"])
+    lines = [("tufts of 16 strands" if row["case"] == "tufts" else "one head", row["model"], row["strands"], row["contacts"], row["ms_a_step"], row["us_a_contact"],
+              row["contacts_found"], row["search_ms"], row["search_us_a_contact_found"])
              for row in rows("contact_scaling.csv")]
-    show(table(("scene", "model", "strands", "touches", "ms a step", "µs a touch", "touches found by a search", "ms a search",
-                "µs a touch found"), lines), "scaling", "notebook/contact.md")
+    show(table(("scene", "model", "strands", "contacts", "ms per step", "µs per contact", "contacts found by a search", "ms a search",
+                "µs per contact found"), lines), "scaling", "notebook/contact.md")
 
 
 def jumps():

@@ -102,7 +102,7 @@ def comb_force():
     middle.plot(t, 100 * height, lw=0.9, color="tab:gray")
     middle.set_ylabel("height, cm")
     bottom.fill_between(t, pressing, step="mid", color="tab:brown", alpha=0.6)
-    bottom.set(ylabel="touches", xlabel="s")
+    bottom.set(ylabel="contacts", xlabel="s")
     save(figure, "haptics_force.png")
 
 
@@ -148,7 +148,7 @@ def latency():
 
 def tables():
     """The measured tables of the page."""
-    put(table(("strands", "touches", "step, ms", "hand-over, ms", "the longest, ms"),
+    put(table(("strands", "contacts", "step, ms", "hand-over, ms", "the longest, ms"),
               [tuple(row.values()) for row in rows("haptics_cost.csv")]), PAGE, "cost")
     put(table(("", "median, ms", "99 of 100", "99.9 of 100", "longest"), [tuple(row.values()) for row in rows("haptics_minute.csv")]), PAGE, "minute")
 

@@ -20,14 +20,14 @@ fn main() {
     for (name, kind) in kinds {
         let (mut space, next) = build(&kind);
         let mut solver = GaussSeidel::default();
-        let mut forces = vec![Vector3::zeros(); space.touches().len()];
+        let mut forces = vec![Vector3::zeros(); space.constraints().len()];
         let start = Instant::now();
         solver.system.prepare(&space);
         let prepared = start.elapsed().as_secs_f64();
         for (stage, warm) in [("cold", false), ("warm", true)] {
             if warm {
-                for (touch, free) in next.iter().enumerate() {
-                    space.set_free(touch, *free).unwrap();
+                for (constraint, unconstrained) in next.iter().enumerate() {
+                    space.set_unconstrained(constraint, *unconstrained).unwrap();
                 }
             }
             let begin = forces.clone();
@@ -38,7 +38,7 @@ fn main() {
                 let time = start.elapsed().as_secs_f64();
                 let active = forces.iter().filter(|f| f.norm() > 0.0).count();
                 println!(
-                    "{name:14} {stage} {tolerance:e}: {:5} sweeps {:8.2} ms (prepare {:.2}), residual {:.1e}, {} touches, {active} active, force {:.1e} N",
+                    "{name:14} {stage} {tolerance:e}: {:5} sweeps {:8.2} ms (prepare {:.2}), residual {:.1e}, {} contacts, {active} active, force {:.1e} N",
                     report.sweeps,
                     1e3 * time,
                     1e3 * prepared,

@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use superhelix::Material;
 use superhelix::internals::chain::delassus::Delassus;
 use superhelix::internals::chain::elimination::Elimination;
-use superhelix::internals::chain::load::{Load, Station};
+use superhelix::internals::chain::load::{Load, MaterialPoint};
 use superhelix::internals::chain::system::ChainSystem;
-use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceTouch};
+use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceConstraint};
 use superhelix::internals::contact::law::Law;
 use superhelix::internals::contact::law::coefficient::Coefficient;
 use superhelix::internals::contact::law::contact::{Contact, Friction};
@@ -55,7 +55,7 @@ pub struct Kind {
 struct Strand {
     origin: Vector3<f64>,
     kinematics: Kinematics<f64>,
-    stations: Vec<Station>,
+    material_points: Vec<MaterialPoint>,
 }
 
 /// Builds it. The second list is the unconstrained displacements of the next step, slightly different: for warm starts.
@@ -81,21 +81,21 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
                 .collect();
             let mut kinematics = Kinematics::default();
             kinematics.update(&frame, &vec![length; kind.elements], &curvatures, &rule);
-            Strand { origin: out * HEAD, kinematics, stations: Vec::new() }
+            Strand { origin: out * HEAD, kinematics, material_points: Vec::new() }
         })
         .collect();
 
-    let station = |numbers: &mut Numbers| {
+    let material_point = |numbers: &mut Numbers| {
         let place = numbers.within(0.05, 1.0) * kind.elements as f64 * 0.999_999;
-        Station::on(place as usize, place.fract() * length)
+        MaterialPoint::on(place as usize, place.fract() * length)
     };
     // (strand, material point) of the two ends.
     type Place = (usize, usize);
     let mut pairs: Vec<(Place, Option<Place>)> = Vec::new();
     for (index, strand) in strands.iter_mut().enumerate() {
         for _ in 0..kind.on_head {
-            strand.stations.push(station(&mut numbers));
-            pairs.push(((index, strand.stations.len() - 1), None));
+            strand.material_points.push(material_point(&mut numbers));
+            pairs.push(((index, strand.material_points.len() - 1), None));
         }
     }
     for _ in 0..(kind.pairs * kind.strands as f64) as usize {
@@ -107,23 +107,24 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
             continue;
         }
         for strand in [first, second] {
-            let place = station(&mut numbers);
-            strands[strand].stations.push(place);
+            let place = material_point(&mut numbers);
+            strands[strand].material_points.push(place);
         }
-        pairs.push(((first, strands[first].stations.len() - 1), Some((second, strands[second].stations.len() - 1))));
+        pairs
+            .push(((first, strands[first].material_points.len() - 1), Some((second, strands[second].material_points.len() - 1))));
     }
 
     let mut space = ContactSpace::default();
     space.reset(STEP).unwrap();
     for strand in &mut strands {
         // From root to tip, as the elimination requires; the pairs keep their own order.
-        let mut order: Vec<usize> = (0..strand.stations.len()).collect();
+        let mut order: Vec<usize> = (0..strand.material_points.len()).collect();
         order.sort_by(|a, b| {
-            let key = |k: &usize| (strand.stations[*k].element, strand.stations[*k].s);
+            let key = |k: &usize| (strand.material_points[*k].element, strand.material_points[*k].s);
             key(a).partial_cmp(&key(b)).unwrap()
         });
         let loads: Vec<_> =
-            order.iter().map(|k| Load::at(&strand.kinematics.elements, &strand.stations[*k], Vec3::zero())).collect();
+            order.iter().map(|k| Load::at(&strand.kinematics.elements, &strand.material_points[*k], Vec3::zero())).collect();
         let mut system = ChainSystem { exact: false, ..ChainSystem::default() };
         let n = rule.len();
         system.resize(kind.elements, kind.elements * n);
@@ -159,15 +160,15 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
     // The head turns and sways: a strand lags behind, more so farther out, towards the head on one side of it.
     let mut next = Vec::new();
     for (first, second) in &pairs {
-        let way = |(strand, station): (usize, usize), sway: Vector3<f64>| {
+        let way = |(strand, material_point): (usize, usize), sway: Vector3<f64>| {
             let strand = &strands[strand];
-            let place = strand.stations[station];
+            let place = strand.material_points[material_point];
             let s = (place.element as f64 * length + place.s) / 0.25;
             let at = strand.origin + Vector3::from(strand.kinematics.elements[place.element].point(place.s).position);
             (sway + Vector3::z().cross(&at) * 0.05) * (s * s)
         };
-        let tangent = |(strand, station): (usize, usize)| {
-            let place = strands[strand].stations[station];
+        let tangent = |(strand, material_point): (usize, usize)| {
+            let place = strands[strand].material_points[material_point];
             let element = &strands[strand].kinematics.elements[place.element];
             let (a, b) = (element.point(place.s - 1e-5), element.point(place.s + 1e-5));
             (Vector3::from(b.position) - Vector3::from(a.position)).normalize()
@@ -175,7 +176,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         let (normal, mu) = match second {
             None => {
                 let strand = &strands[first.0];
-                let place = strand.stations[first.1];
+                let place = strand.material_points[first.1];
                 let at = strand.origin + Vector3::from(strand.kinematics.elements[place.element].point(place.s).position);
                 (at.normalize(), Coefficient::of_scales(kind.mu, 1.5 * kind.mu, tangent(*first)))
             }
@@ -188,7 +189,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
             }
         };
         let gap = numbers.within(-2e-4, 5e-4);
-        let free = |sway| {
+        let unconstrained = |sway| {
             let mut u = way(*first, sway) + normal * gap;
             if let Some(second) = second {
                 u -= way(*second, sway);
@@ -198,9 +199,14 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         };
         let end = |(strand, point): (usize, usize)| End { strand: strand as u32, point: point as u32 };
         let law = Law::Contact(Contact { normal, response: Response::Hard, friction: Friction::Coulomb(mu) });
-        let touch = SpaceTouch { first: end(*first), second: second.map(end), law, free: free(Vector3::new(0.01, 0.004, 0.0)) };
-        space.add_touch(touch).unwrap();
-        next.push(free(Vector3::new(0.0105, 0.0043, 0.0)));
+        let constraint = SpaceConstraint {
+            first: end(*first),
+            second: second.map(end),
+            law,
+            unconstrained: unconstrained(Vector3::new(0.01, 0.004, 0.0)),
+        };
+        space.add_constraint(constraint).unwrap();
+        next.push(unconstrained(Vector3::new(0.0105, 0.0043, 0.0)));
     }
     (space, next)
 }

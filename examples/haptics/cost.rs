@@ -25,7 +25,7 @@ fn median(values: &mut [f64]) -> f64 {
 struct Cost {
     steps: Vec<f64>,
     hand_overs: Vec<f64>,
-    touches: u32,
+    contacts: u32,
 }
 
 /// A stroke with this many frames; reads no clock unless `is_timed`.
@@ -44,7 +44,7 @@ fn comb(strands: usize, frames: usize, is_timed: bool) -> Cost {
         tool.after_step(&mut solver).expect("the tool's bodies");
         cost.hand_overs.push(clock() - middle);
         cost.steps.push(middle - start);
-        cost.touches = cost.touches.max(state.touches);
+        cost.contacts = cost.contacts.max(state.contacts);
     }
     cost
 }
@@ -56,7 +56,7 @@ pub fn once(strands: usize, frames: usize) {
 
 /// Writes the table.
 pub fn table(out: &str) {
-    let mut csv = "strands,touches,step_ms,hand_over_ms,longest_hand_over_ms\n".to_string();
+    let mut csv = "strands,contacts,step_ms,hand_over_ms,longest_hand_over_ms\n".to_string();
     for strands in [20, 100, 1000] {
         let mut cost = comb(strands, 168, true);
         // From the time at which the comb is in the hair.
@@ -64,7 +64,7 @@ pub fn table(out: &str) {
         let longest = hand_overs.iter().copied().fold(0.0, f64::max);
         let line = format!(
             "{strands},{},{:.3},{:.3},{:.3}",
-            cost.touches,
+            cost.contacts,
             1e3 * median(&mut steps),
             1e3 * median(&mut hand_overs),
             1e3 * longest

@@ -10,7 +10,7 @@ use superhelix::internals::rod::kinematics::Kinematics;
 use superhelix::internals::rod::strand::StrandModel;
 use superhelix::internals::step;
 use superhelix::internals::step::members::One;
-use superhelix::internals::step::scratch::Scratch;
+use superhelix::internals::step::scratch::StepScratch;
 use superhelix::internals::step::state::{StrandState, rotation_matrix};
 use superhelix::internals::step::{Setting, Surroundings};
 use superhelix::{Freedoms, Integrator, Solver, SolverOptions, StepOptions, StrandDef};
@@ -59,7 +59,7 @@ fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &Step
     let initial = def.initial.clone().expect("settled");
     let rates = vec![[0.0; 3]; elements];
     let mut state = StrandState::new(&model, &rules, initial, rates, def.root, def.root_velocity, def.root_angular_velocity);
-    let mut scratch = Scratch::default();
+    let mut scratch = StepScratch::default();
     let mut kinematics = Kinematics::default();
     let mut path = Path::default();
     let h = 1.0 / f64::from(rate);

@@ -1,7 +1,7 @@
 //! Friction coefficients from a recorded motion, as Bertails et al. 2006 choose them (section 4.2): the internal friction γ from the
 //! span of a curl that is shaken up and down (their figure 6), the air drag ν from a pendulum that comes to rest. The paper compares
 //! by eye; here the squared difference between the recorded and the simulated curve is minimised, and what the recording leaves open
-//! is told.
+//! is reported.
 //!
 //! The recording is simulated with the solver itself, all else about the strand being known. The search is over the logarithms of
 //! the coefficients: a coarse grid over their ranges, then least squares from the best point of it. With residuals r (n of

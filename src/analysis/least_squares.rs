@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_hold_and_are_a_minimum_where_the_way_leads_out() {
+    fn bounds_hold_and_are_a_minimum_where_the_path_leads_out() {
         let found = search(&[1.0, 1.3], &[[0.0, 2.0], [0.0, 2.0]], 0.0);
         assert!(found.converged && found.parameters[0] == 0.0, "{:?}", found.parameters);
     }
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_that_cannot_be_told_apart_have_no_error_bar_either() {
+    fn indistinguishable_parameters_have_no_error_bar_either() {
         let mut evaluate = |sets: &[Vec<f64>]| {
             Ok(sets.iter().map(|set| Some(DVector::from_fn(9, |i, _| set[0] + set[1] - 0.1 * i as f64))).collect::<Vec<_>>())
         };

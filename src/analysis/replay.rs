@@ -12,7 +12,7 @@ use crate::solver::{SHORTEST_STEP, Solver};
 use crate::step::equilibrium::EquilibriumOptions;
 
 /// More steps than this in one simulation are taken for a mistake.
-const MOST_STEPS: f64 = 1e8;
+const MAX_STEPS: f64 = 1e8;
 
 /// A simulated curve.
 pub(super) struct Curve {
@@ -58,8 +58,8 @@ impl<'a> Replay<'a> {
         let first = times.partition_point(|time| *time < begin + options.discard);
         let start = begin - options.lead_in;
         let steps = (end - start) / options.time_step;
-        if steps.is_nan() || steps > MOST_STEPS {
-            let expected = format!("a step of which {MOST_STEPS} make up the recording ({} s with lead_in) at most", end - start);
+        if steps.is_nan() || steps > MAX_STEPS {
+            let expected = format!("a step of which {MAX_STEPS} make up the recording ({} s with lead_in) at most", end - start);
             return Err(Error::invalid("options.time_step", options.time_step, expected));
         }
         for (index, pair) in times.windows(2).enumerate() {

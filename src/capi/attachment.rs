@@ -1,6 +1,6 @@
 //! Strands, bodies and constraints that follow one pose.
 
-use super::buffers::{Place, body_ids, check_array, constraint_ids, frame_from, strand_ids};
+use super::buffers::{OutputValue, body_ids, check_array, constraint_ids, frame_from, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, read, shx_solver, write};
 use super::types::{shx_body_id, shx_constraint_id, shx_frame, shx_strand_id};
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn shx_attachment_create(
     // SAFETY: the caller's handle, frame, ids and place for one pointer.
     unsafe {
         read("shx_attachment_create", solver, |core| {
-            let place = Place::new("out_attachment", out_attachment)?;
+            let place = OutputValue::new("out_attachment", out_attachment)?;
             let pose = frame_from("pose", pose)?;
             check_array("strand_ids", "strand_count", strand_ids, strand_count)?;
             check_array("body_ids", "body_count", body_ids, body_count)?;

@@ -1,7 +1,7 @@
 //! Bodies, which strands stay outside of. The host moves them, and reads the forces of strands on them.
 
 use super::body_def::{points, shx_body_def};
-use super::buffers::{FRAME_FORMATS, Place, Places, Writer, array, body_ids, each, frames_reader};
+use super::buffers::{FRAME_FORMATS, OutputList, OutputValue, Writer, array, body_ids, each, frames_reader};
 use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_body_id, shx_input, shx_output};
@@ -36,7 +36,7 @@ pub unsafe extern "C" fn shx_solver_add_bodies(
     // SAFETY: the caller's handle, structures, their arrays, and place for count ids.
     unsafe {
         write("shx_solver_add_bodies", solver, |core, _| {
-            let places = Places::new("out_ids", "count", out_ids, count)?;
+            let places = OutputList::new("out_ids", "count", out_ids, count)?;
             let read = |def: &shx_body_def, argument: &str| Ok((def.definition(argument, core)?, def.user_data));
             let definitions = definitions("shx_body_def", defs, def_stride, count, read)?;
             let user_data = memory::collected(definitions.iter().map(|(_, user_data)| *user_data))?;
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn shx_solver_get_body_user_data(
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_get_body_user_data", solver, |core| {
-            let place = Place::new("out_user_data", out_user_data)?;
+            let place = OutputValue::new("out_user_data", out_user_data)?;
             place.write(core.body_user_data(BodyId::from_bits(id.bits))?);
             Ok(())
         })
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn shx_solver_body_count(solver: *const shx_solver, out_co
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_body_count", solver, |core| {
-            Place::new("out_count", out_count)?.write(core.body_ids().len());
+            OutputValue::new("out_count", out_count)?.write(core.body_ids().len());
             Ok(())
         })
     }
@@ -120,7 +120,7 @@ pub unsafe extern "C" fn shx_solver_body_ids(
     // SAFETY: the caller's handle and place for capacity ids.
     unsafe {
         read("shx_solver_body_ids", solver, |core| {
-            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
+            let places = OutputList::new("out_ids", "capacity", out_ids, capacity)?;
             places.write_all(core.body_ids().iter().map(|id| shx_body_id { bits: id.bits() }))
         })
     }

@@ -126,9 +126,9 @@ pub(crate) fn of_one<I: Copy, T>(ids: &[I], index: usize, item: &impl Fn(I) -> R
 }
 
 /// The destination of one value: checked at once, written on success.
-pub(crate) struct Place<T>(*mut T);
+pub(crate) struct OutputValue<T>(*mut T);
 
-impl<T> Place<T> {
+impl<T> OutputValue<T> {
     /// # Safety
     /// `pointer` is null or points to room for a T until `write`.
     pub(crate) unsafe fn new(argument: &str, pointer: *mut T) -> Result<Self> {
@@ -146,7 +146,7 @@ impl<T> Place<T> {
 }
 
 /// The destination of a list of values.
-pub(crate) struct Places<T> {
+pub(crate) struct OutputList<T> {
     argument: &'static str,
     pointer: *mut T,
     capacity: usize,
@@ -154,7 +154,7 @@ pub(crate) struct Places<T> {
     unit: &'static str,
 }
 
-impl Places<u8> {
+impl OutputList<u8> {
     /// The destination of an image, or `None` for a null pointer and capacity 0: the host asks for the size.
     ///
     /// # Safety
@@ -169,7 +169,7 @@ impl Places<u8> {
     }
 }
 
-impl<T: Copy> Places<T> {
+impl<T: Copy> OutputList<T> {
     /// # Safety
     /// `pointer` is null or points to room for `capacity` items until `write`.
     pub(crate) unsafe fn new(argument: &'static str, count_argument: &str, pointer: *mut T, capacity: usize) -> Result<Self> {
@@ -177,10 +177,10 @@ impl<T: Copy> Places<T> {
         Ok(Self { argument, pointer, capacity, unit: "items" })
     }
 
-    /// [`Places::new`], or `None` for a null pointer: the host does not want these.
+    /// [`OutputList::new`], or `None` for a null pointer: the host does not want these.
     ///
     /// # Safety
-    /// As [`Places::new`].
+    /// As [`OutputList::new`].
     pub(crate) unsafe fn optional(
         argument: &'static str,
         count_argument: &str,

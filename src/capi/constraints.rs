@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{FRAME_FORMATS, Place, Places, Strided, Writer, constraint_ids, each, frames_of};
+use super::buffers::{FRAME_FORMATS, OutputList, OutputValue, Strided, Writer, constraint_ids, each, frames_of};
 use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id};
@@ -193,7 +193,7 @@ pub unsafe extern "C" fn shx_solver_add_constraints(
     // SAFETY: the caller's handle, structures and place for count ids.
     unsafe {
         write("shx_solver_add_constraints", solver, |core, _| {
-            let places = Places::new("out_ids", "count", out_ids, count)?;
+            let places = OutputList::new("out_ids", "count", out_ids, count)?;
             let read = |def: &shx_constraint_def, argument: &str| Ok((def.definition(argument)?, def.user_data));
             let definitions = definitions("shx_constraint_def", defs, def_stride, count, read)?;
             let user_data = memory::collected(definitions.iter().map(|(_, user_data)| *user_data))?;
@@ -249,7 +249,7 @@ pub unsafe extern "C" fn shx_solver_get_constraint_user_data(
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_get_constraint_user_data", solver, |core| {
-            let place = Place::new("out_user_data", out_user_data)?;
+            let place = OutputValue::new("out_user_data", out_user_data)?;
             place.write(core.constraint_user_data(ConstraintId::from_bits(id.bits))?);
             Ok(())
         })
@@ -264,7 +264,7 @@ pub unsafe extern "C" fn shx_solver_constraint_count(solver: *const shx_solver, 
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_constraint_count", solver, |core| {
-            Place::new("out_count", out_count)?.write(core.constraint_ids().len());
+            OutputValue::new("out_count", out_count)?.write(core.constraint_ids().len());
             Ok(())
         })
     }
@@ -283,7 +283,7 @@ pub unsafe extern "C" fn shx_solver_constraint_ids(
     // SAFETY: the caller's handle and place for capacity ids.
     unsafe {
         read("shx_solver_constraint_ids", solver, |core| {
-            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
+            let places = OutputList::new("out_ids", "capacity", out_ids, capacity)?;
             let ids = core.constraint_ids();
             places.write_all(ids.iter().map(|id| shx_constraint_id { bits: id.bits() }))
         })

@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Place, strand_ids};
+use super::buffers::{OutputValue, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::solver_def::check_flag;
@@ -321,7 +321,7 @@ pub unsafe extern "C" fn shx_solver_get_strand_contact(
     unsafe {
         read("shx_solver_get_strand_contact", solver, |core| {
             let output = VersionedOutput::new("out_contact", out_contact)?;
-            let touches = Place::new("out_enabled", out_enabled)?;
+            let touches = OutputValue::new("out_enabled", out_enabled)?;
             let contact = core.contact(StrandId::from_bits(id.bits))?;
             output.write(&shx_strand_contact::from_contact(&contact.copied().unwrap_or_default()));
             touches.write(u32::from(contact.is_some()));

@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Place, Strided};
+use super::buffers::{OutputValue, Strided};
 use super::contacts::shx_contact;
 use super::errors::shx_result;
 use super::guard::{shx_solver, write};
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn shx_solver_drain_contact_events(
     // SAFETY: the caller's handle, room for capacity events and places for two numbers.
     unsafe {
         write("shx_solver_drain_contact_events", solver, |core, _| {
-            let (count, lost) = (Place::new("out_count", out_count)?, Place::new("out_lost", out_lost)?);
+            let (count, lost) = (OutputValue::new("out_count", out_count)?, OutputValue::new("out_lost", out_lost)?);
             let places = Strided::new("out_events", "capacity", out_events, stride, capacity)?;
             let mut events = memory::list(core.waiting_contact_events().0.min(capacity))?;
             let missed = core.drain_contact_events(capacity, |event| events.push(shx_contact_event::from(&event)));

@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Place, Strided};
+use super::buffers::{OutputValue, Strided};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver};
 use super::types::{shx_body_id, shx_strand_id};
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn shx_solver_contact_count(solver: *const shx_solver, out
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_contact_count", solver, |core| {
-            Place::new("out_count", out_count)?.write(core.contacts().len());
+            OutputValue::new("out_count", out_count)?.write(core.contacts().len());
             Ok(())
         })
     }
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn shx_solver_contacts(
     // SAFETY: the caller's handle, room for capacity contacts and place for one number.
     unsafe {
         read("shx_solver_contacts", solver, |core| {
-            let count = Place::new("out_count", out_count)?;
+            let count = OutputValue::new("out_count", out_count)?;
             let places = Strided::new("out_contacts", "capacity", out_contacts, stride, capacity)?;
             let found = core.contacts();
             places.write_all(found.iter().map(shx_contact::from))?;

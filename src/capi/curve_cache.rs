@@ -2,7 +2,7 @@
 
 use std::ffi::c_char;
 
-use super::buffers::{POINT_FORMATS, Place, Places, Reader};
+use super::buffers::{OutputList, OutputValue, POINT_FORMATS, Reader};
 use super::curve_data::{narrowed, read_data, shx_curve_data};
 use super::curves::{path_from, shx_curves};
 use super::errors::shx_result;
@@ -28,7 +28,7 @@ pub struct shx_curve_cache_writer(CurveCacheWriter);
 pub unsafe extern "C" fn shx_curve_cache_read(path: *const c_char, out_cache: *mut *mut shx_curve_cache) -> shx_result {
     call("shx_curve_cache_read", || {
         // SAFETY: the caller's text and place for one pointer.
-        let (path, place) = unsafe { (path_from(path)?, Place::new("out_cache", out_cache)?) };
+        let (path, place) = unsafe { (path_from(path)?, OutputValue::new("out_cache", out_cache)?) };
         place.write(Box::into_raw(Box::new(shx_curve_cache(CurveCache::read(path)?))));
         Ok(())
     })
@@ -74,9 +74,9 @@ pub unsafe extern "C" fn shx_curve_cache_times(
             let times = if out_times.is_null() && capacity == 0 {
                 None
             } else {
-                Some(Places::new("out_times", "capacity", out_times, capacity)?)
+                Some(OutputList::new("out_times", "capacity", out_times, capacity)?)
             };
-            (cache_from(cache)?, Place::new("out_count", out_count)?, times)
+            (cache_from(cache)?, OutputValue::new("out_count", out_count)?, times)
         };
         if let Some(times) = times {
             times.write(cache.times())?;
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn shx_curve_cache_sample(
 ) -> shx_result {
     call("shx_curve_cache_sample", || {
         // SAFETY: the caller's handle and place for one pointer.
-        let (cache, place) = unsafe { (cache_from(cache)?, Place::new("out_curves", out_curves)?) };
+        let (cache, place) = unsafe { (cache_from(cache)?, OutputValue::new("out_curves", out_curves)?) };
         place.write(Box::into_raw(Box::new(shx_curves::new(cache.at(time)?))));
         Ok(())
     })
@@ -123,7 +123,7 @@ pub unsafe extern "C" fn shx_curve_cache_writer_create(
 ) -> shx_result {
     call("shx_curve_cache_writer_create", || {
         // SAFETY: the caller's text, structure and place for one pointer.
-        let (path, place) = unsafe { (path_from(path)?, Place::new("out_writer", out_writer)?) };
+        let (path, place) = unsafe { (path_from(path)?, OutputValue::new("out_writer", out_writer)?) };
         // SAFETY: the same.
         let (curves, _) = unsafe { read_data(first) }.map_err(|error| error.renamed("data", "first"))?;
         let writer = CurveCacheWriter::create(path, &curves, frames_per_second);

@@ -3,7 +3,7 @@
 use std::ffi::c_char;
 use std::mem::size_of;
 
-use super::buffers::{POINT_FORMATS, Place, Places, Reader, array};
+use super::buffers::{OutputList, OutputValue, POINT_FORMATS, Reader, array};
 use super::curves::{curves_from, path_from, shx_curves};
 use super::errors::shx_result;
 use super::guard::call;
@@ -250,9 +250,9 @@ pub unsafe extern "C" fn shx_curves_attribute(
             let numbers = if out_values.is_null() && capacity == 0 {
                 None
             } else {
-                Some(Places::new("out_values", "capacity", out_values, capacity)?)
+                Some(OutputList::new("out_values", "capacity", out_values, capacity)?)
             };
-            (curves_from(curves)?, Place::new("out_count", out_count)?, numbers)
+            (curves_from(curves)?, OutputValue::new("out_count", out_count)?, numbers)
         };
         let extras = curves.extras();
         let list: Vec<f32> = match attribute {
@@ -288,8 +288,8 @@ pub unsafe extern "C" fn shx_curves_units(
         let (curves, metres, up) = unsafe {
             (
                 curves_from(curves)?,
-                Place::new("out_metres_per_unit", out_metres_per_unit)?,
-                Place::new("out_up_axis", out_up_axis)?,
+                OutputValue::new("out_metres_per_unit", out_metres_per_unit)?,
+                OutputValue::new("out_up_axis", out_up_axis)?,
             )
         };
         metres.write(curves.extras().metres_per_unit.unwrap_or(0.0));

@@ -3,7 +3,7 @@
 use std::ffi::{CStr, OsStr, c_char};
 use std::path::Path;
 
-use super::buffers::{POINT_FORMATS, Place, Places, Reader, Writer, array};
+use super::buffers::{OutputList, OutputValue, POINT_FORMATS, Reader, Writer, array};
 use super::errors::shx_result;
 use super::guard::call;
 use super::types::{MAX_COUNT, shx_input, shx_output};
@@ -61,7 +61,7 @@ pub(super) unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Cu
 pub unsafe extern "C" fn shx_curves_read(path: *const c_char, out_curves: *mut *mut shx_curves) -> shx_result {
     call("shx_curves_read", || {
         // SAFETY: the caller's text and place for one pointer.
-        let (path, place) = unsafe { (path_from(path)?, Place::new("out_curves", out_curves)?) };
+        let (path, place) = unsafe { (path_from(path)?, OutputValue::new("out_curves", out_curves)?) };
         place.write(Box::into_raw(Box::new(shx_curves(Curves::read(path)?))));
         Ok(())
     })
@@ -95,8 +95,8 @@ pub unsafe extern "C" fn shx_curves_count(
         if out_strands.is_null() && out_points.is_null() {
             return Err(Error::NullArgument { argument: "out_strands (and out_points)".into() });
         }
-        let strands = Places::optional("out_strands", "out_strands", out_strands, 1)?;
-        let points = Places::optional("out_points", "out_points", out_points, 1)?;
+        let strands = OutputList::optional("out_strands", "out_strands", out_strands, 1)?;
+        let points = OutputList::optional("out_points", "out_points", out_points, 1)?;
         if let Some(strands) = strands {
             strands.write(&[curves.strand_count()])?;
         }
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn shx_curves_point_counts(curves: *const shx_curves, out_
     // SAFETY: the caller's handle and place for capacity numbers.
     call("shx_curves_point_counts", || unsafe {
         let curves = curves_from(curves)?;
-        Places::new("out_counts", "capacity", out_counts, capacity)?.write(curves.counts())
+        OutputList::new("out_counts", "capacity", out_counts, capacity)?.write(curves.counts())
     })
 }
 

@@ -4,7 +4,7 @@ use std::ffi::c_void;
 use std::mem::size_of;
 
 use super::body_def::{corners, points};
-use super::buffers::{Place, Places};
+use super::buffers::{OutputList, OutputValue};
 use super::errors::shx_result;
 use super::guard::call;
 use super::render_def::NO_INPUT;
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn shx_distance_grid_bake(
     let body = || -> Result<()> {
         // SAFETY: the caller's structure, what it points to, and place for a number.
         let (place, def, mesh) = unsafe {
-            let (place, def) = (Place::new("out_size", out_size)?, read_versioned("def", def)?);
+            let (place, def) = (OutputValue::new("out_size", out_size)?, read_versioned("def", def)?);
             if def.reserved0 != 0 {
                 return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
             }
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn shx_distance_grid_bake(
         let counts = DistanceGrid::baked_counts(&mesh, def.cell, def.band).map_err(|error| error.inside("def"))?;
         let size = distance_grid::size(counts);
         // SAFETY: the caller's capacity bytes.
-        if let Some(places) = unsafe { Places::image("out_grid", out_grid, capacity)? } {
+        if let Some(places) = unsafe { OutputList::image("out_grid", out_grid, capacity)? } {
             places.check_room(size)?;
             let grid = DistanceGrid::bake(&mesh, def.cell, def.band)
                 .map_err(|error| error.renamed("mesh", "triangles").inside("def"))?;

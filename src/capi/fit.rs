@@ -4,7 +4,7 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::Vector3;
 
-use super::buffers::{POINT_FORMATS, Places, Reader, array};
+use super::buffers::{OutputList, POINT_FORMATS, Reader, array};
 use super::errors::shx_result;
 use super::guard::call;
 use super::strand_def::shx_strand_def;
@@ -89,8 +89,8 @@ pub unsafe extern "C" fn shx_fit_polyline(
             (
                 Reader::new("polyline", polyline, POINT_FORMATS)?,
                 VersionedOutput::new("out_fit", out_fit)?,
-                Places::new("out_element_lengths", "capacity", out_element_lengths, capacity)?,
-                Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
+                OutputList::new("out_element_lengths", "capacity", out_element_lengths, capacity)?,
+                OutputList::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
             )
         };
         lengths.check_room(element_count)?;
@@ -135,7 +135,7 @@ pub unsafe extern "C" fn shx_sag_free_curvatures(
             for axis in 0..3 {
                 crate::error::check_finite(|| format!("gravity[{axis}]"), gravity[axis])?;
             }
-            let places = Places::new("out_natural", "count", out_natural.cast::<[f64; 3]>(), count)?;
+            let places = OutputList::new("out_natural", "count", out_natural.cast::<[f64; 3]>(), count)?;
             let gravity = Vector3::new(gravity[0], gravity[1], gravity[2]);
             places.write(&on_own_thread(|| natural_under_gravity(&definition, rows, gravity))?)
         }

@@ -5,7 +5,7 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::buffers::{FRAME_FORMATS, POINT_FORMATS, Places, Reader, Strided, array};
+use super::buffers::{FRAME_FORMATS, OutputList, POINT_FORMATS, Reader, Strided, array};
 use super::errors::{SHX_OK, code, shx_result};
 use super::guard::call;
 use super::parallel::{shx_parallel_for_fn, workers};
@@ -406,8 +406,8 @@ pub unsafe extern "C" fn shx_fit_strands(
         let (fitted, lengths, rows) = unsafe {
             (
                 Strided::new("out_strands", "curves.curve_count", out_strands, stride, count)?,
-                Places::new("out_element_lengths", "capacity", out_element_lengths, capacity)?,
-                Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
+                OutputList::new("out_element_lengths", "capacity", out_element_lengths, capacity)?,
+                OutputList::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
             )
         };
         let each = options.element_count;

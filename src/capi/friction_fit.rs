@@ -4,7 +4,7 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::Vector3;
 
-use super::buffers::{Places, array};
+use super::buffers::{OutputList, array};
 use super::errors::shx_result;
 use super::guard::call;
 use super::solver_def::{check_flag, check_reserved, shx_solver_def};
@@ -472,7 +472,7 @@ pub unsafe extern "C" fn shx_fit_friction(
                 array("times", "count", times, count)?,
                 array("values", "count", values, count)?,
                 VersionedOutput::new("out_report", out_report)?,
-                Places::optional("out_curve", "count", out_curve, count)?,
+                OutputList::optional("out_curve", "count", out_curve, count)?,
             )
         };
         if friction.reserved0 != 0 {

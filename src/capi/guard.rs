@@ -151,7 +151,7 @@ pub(crate) unsafe fn write(
     body: impl FnOnce(&mut Solver, &LogSink) -> Result<()>,
 ) -> shx_result {
     let _mode = DefaultMode::enter();
-    // SAFETY: the caller guarantees null or a valid handle. A shared reference: readers on other threads may hold one, and are told below.
+    // SAFETY: the caller guarantees null or a valid handle. A shared reference: readers on other threads may hold one; the check below finds them.
     let Some(solver) = (unsafe { solver.as_ref() }) else {
         return remember(function, &Error::NullArgument { argument: "solver".into() });
     };

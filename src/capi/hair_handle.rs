@@ -3,7 +3,7 @@
 use std::ffi::{CStr, c_char};
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Place, Places};
+use super::buffers::{OutputList, OutputValue};
 use super::errors::shx_result;
 use super::guard::call;
 use super::hair_type::shx_hair_type;
@@ -252,11 +252,11 @@ pub unsafe extern "C" fn shx_combing_test_run(
         let (test, handle, lists, place) = unsafe {
             let test = if test.is_null() { shx_combing_test::defaults() } else { read_versioned("test", test)? };
             let lists = [
-                Places::optional("out_stroke", "capacity", out_stroke, capacity)?,
-                Places::optional("out_force", "capacity", out_force, capacity)?,
-                Places::optional("out_pressure", "capacity", out_pressure, capacity)?,
+                OutputList::optional("out_stroke", "capacity", out_stroke, capacity)?,
+                OutputList::optional("out_force", "capacity", out_force, capacity)?,
+                OutputList::optional("out_pressure", "capacity", out_pressure, capacity)?,
             ];
-            (test.test()?, read_versioned("handle", handle)?.handle()?, lists, Place::new("out_result", out_result)?)
+            (test.test()?, read_versioned("handle", handle)?.handle()?, lists, OutputValue::new("out_result", out_result)?)
         };
         let in_words = |error: Error| error.with_fields(&[("strands", "strand_count"), ("elements", "element_count")]);
         test.check("test").map_err(in_words)?;

@@ -3,7 +3,7 @@
 use std::ffi::{CStr, c_char};
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Places, Strided, array};
+use super::buffers::{OutputList, Strided, array};
 use super::errors::shx_result;
 use super::guard::call;
 use super::materials::with_material;
@@ -361,7 +361,7 @@ pub unsafe extern "C" fn shx_hair_strands(
             (
                 array("def.element_lengths", "def.element_counts", def.element_lengths, total)?,
                 Strided::new("out_strands", "def.strand_count", out_strands, stride, def.strand_count)?,
-                Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
+                OutputList::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
             )
         };
         rows.check_room(total)?;

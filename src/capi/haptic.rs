@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use super::buffers::{Place, array, frame_from};
+use super::buffers::{OutputValue, array, frame_from};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver, write};
 use super::haptic_def::{shx_haptic_def, shx_haptic_state};
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn shx_haptic_create(
     // SAFETY: the caller's handle, structure of the size that it states, count ids and place for one pointer.
     unsafe {
         read("shx_haptic_create", solver, |core| {
-            let place = Place::new("out_haptic", out_haptic)?;
+            let place = OutputValue::new("out_haptic", out_haptic)?;
             let def = if def.is_null() { shx_haptic_def::defaults() } else { read_versioned("def", def)? };
             let options = def.options()?;
             let bodies: &[shx_body_id] = array("bodies", "count", bodies, count)?;
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn shx_haptic_update(
             let haptic = haptic_from(haptic)?;
             let pose = frame_from("pose", pose)?;
             let velocity: &[f64] = array("velocity", "velocity", velocity, 6)?;
-            let place = Place::new("out_wrench", out_wrench.cast::<[f64; 6]>())?;
+            let place = OutputValue::new("out_wrench", out_wrench.cast::<[f64; 6]>())?;
             let output = if state.is_null() { None } else { Some(VersionedOutput::new("state", state)?) };
             (haptic, pose, velocity, place, output)
         };

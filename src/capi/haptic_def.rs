@@ -8,9 +8,9 @@ use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
 use crate::haptics::{ForceLaw, HapticOptions, HapticState, Mode};
 
-/// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what
-/// touches the tool, and shx_haptic_update solves contact anew with the device's newest pose, at the
-/// device's rate.
+/// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of the tool's
+/// contacts, and shx_haptic_update solves the contact problem of that model for the device's newest pose, at
+/// the device's rate.
 pub const SHX_HAPTIC_MODE_HAND_OVER: u32 = 1;
 /// The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last
 /// step.
@@ -112,7 +112,7 @@ unsafe impl Versioned for shx_haptic_def {
             max_acceleration: options.max_acceleration,
             max_angular_acceleration: options.max_angular_acceleration,
             max_model_age: options.max_age,
-            max_contacts: options.max_touches,
+            max_contacts: options.max_contacts,
             max_sweeps: options.max_sweeps,
             force_law: options.force_law as u32,
             reserved0: 0,
@@ -155,11 +155,11 @@ impl shx_haptic_def {
             max_energy_credit: self.max_energy_credit,
             max_acceleration: self.max_acceleration,
             max_angular_acceleration: self.max_angular_acceleration,
-            max_touches: self.max_contacts,
+            max_contacts: self.max_contacts,
             max_sweeps: self.max_sweeps,
             max_age: self.max_model_age,
         };
-        let fields = [("max_touches", "max_contacts"), ("max_age", "max_model_age")];
+        let fields = [("max_age", "max_model_age")];
         options.check("def").map_err(|error| error.with_fields(&fields))?;
         Ok(options)
     }
@@ -238,7 +238,7 @@ impl shx_haptic_state {
             max_energy_excess: state.energy_excess,
             model_age: state.model_age,
             model_count: state.models,
-            contacts: state.touches,
+            contacts: state.contacts,
             pressing: state.pressing,
             left_out: state.left_out,
             sweeps: state.sweeps,

@@ -1,6 +1,6 @@
 //! Changes the number of elements of simulated strands.
 
-use super::buffers::{Places, array, strand_ids};
+use super::buffers::{OutputList, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::types::shx_strand_id;
@@ -27,7 +27,7 @@ pub unsafe extern "C" fn shx_solver_set_element_count(
     // SAFETY: the caller's handle, count ids and place for count numbers.
     unsafe {
         write("shx_solver_set_element_count", solver, |core, _| {
-            let distances = Places::optional("out_distances", "count", out_distances, count)?;
+            let distances = OutputList::optional("out_distances", "count", out_distances, count)?;
             let reports = core.set_element_count(&strand_ids(ids, count)?, element_count as usize)?;
             if let Some(distances) = distances {
                 distances.write_all(reports.iter().map(|report| report.max_distance))?;
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn shx_solver_set_element_lengths(
     // SAFETY: the caller's handle, count lengths and place for a number.
     unsafe {
         write("shx_solver_set_element_lengths", solver, |core, _| {
-            let distance = Places::optional("out_distance", "out_distance", out_distance, 1)?;
+            let distance = OutputList::optional("out_distance", "out_distance", out_distance, 1)?;
             let report = core.set_element_lengths(StrandId::from_bits(id.bits), array("lengths", "count", lengths, count)?)?;
             if let Some(distance) = distance {
                 distance.write(&[report.max_distance])?;

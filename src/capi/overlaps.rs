@@ -1,17 +1,17 @@
 //! Overlaps of strands in the current scene, and permitted overlaps.
 
-use super::buffers::{Place, Places, array, strand_ids};
+use super::buffers::{OutputList, OutputValue, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_body_id, shx_strand_id};
 
-use crate::contact::allowance::Allowance;
+use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::error::Error;
 use crate::solver::Overlap;
 use crate::solver::id::StrandId;
 
 /// The names of a permitted overlap's lists, and those of the calls' arguments.
-const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wisp_fractions"), ("sunk", "body_depths")];
+const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_fractions", "wisp_fractions"), ("sunk", "body_depths")];
 
 /// Computes how deep count strands currently overlap other strands (if hair_contact is set) and bodies, beyond
 /// their permitted overlap. Strands without contact overlap nothing; exempt lengths and filtered pairs do not
@@ -37,10 +37,10 @@ pub unsafe extern "C" fn shx_solver_overlaps(
     unsafe {
         write("shx_solver_overlaps", solver, |core, _| {
             let ids = strand_ids(ids, count)?;
-            let hair = Places::optional("out_hair_depths", "count", out_hair_depths, count)?;
-            let strands = Places::optional("out_strands", "count", out_strands, count)?;
-            let depths = Places::optional("out_body_depths", "count", out_body_depths, count)?;
-            let bodies = Places::optional("out_bodies", "count", out_bodies, count)?;
+            let hair = OutputList::optional("out_hair_depths", "count", out_hair_depths, count)?;
+            let strands = OutputList::optional("out_strands", "count", out_strands, count)?;
+            let depths = OutputList::optional("out_body_depths", "count", out_body_depths, count)?;
+            let bodies = OutputList::optional("out_bodies", "count", out_bodies, count)?;
             let found = core.overlaps(&ids)?;
             let list = |of: fn(&Overlap) -> f64| found.iter().map(of).collect::<Vec<f64>>();
             hair.map_or(Ok(()), |places| places.write(&list(|overlap| overlap.hair)))?;
@@ -93,17 +93,17 @@ pub unsafe extern "C" fn shx_solver_set_permitted_overlap(
     unsafe {
         write("shx_solver_set_permitted_overlap", solver, |core, _| {
             let list = |name, pointer| array::<f64>(name, "count", pointer, count).map(<[f64]>::to_vec);
-            let allowance = Allowance {
+            let permitted = PermittedOverlap {
                 along: list("arclengths", arclengths)?,
-                wisp_shares: list("wisp_fractions", wisp_fractions)?,
+                wisp_fractions: list("wisp_fractions", wisp_fractions)?,
                 sunk: list("body_depths", body_depths)?,
             };
-            let allowance = (count > 0).then_some(allowance);
+            let permitted = (count > 0).then_some(permitted);
             let in_words_of_the_call = |error: Error| match error {
                 Error::InvalidId { bits, .. } => Error::InvalidId { argument: "id".into(), bits },
-                other => other.renamed_in("allowances[0].", "").with_fields(&FIELDS),
+                other => other.renamed_in("permitted_overlaps[0].", "").with_fields(&FIELDS),
             };
-            core.set_allowances(&[StrandId::from_bits(id.bits)], &[allowance]).map_err(in_words_of_the_call)
+            core.set_permitted_overlaps(&[StrandId::from_bits(id.bits)], &[permitted]).map_err(in_words_of_the_call)
         })
     }
 }
@@ -127,19 +127,19 @@ pub unsafe extern "C" fn shx_solver_get_permitted_overlap(
     // SAFETY: the caller's handle, places for capacity numbers each and for one count.
     unsafe {
         read("shx_solver_get_permitted_overlap", solver, |core| {
-            let along = Places::optional("out_arclengths", "capacity", out_arclengths, capacity)?;
-            let wisp_shares = Places::optional("out_wisp_fractions", "capacity", out_wisp_fractions, capacity)?;
-            let sunk = Places::optional("out_body_depths", "capacity", out_body_depths, capacity)?;
-            let count = Place::new("out_count", out_count)?;
-            let allowance = core.allowance(StrandId::from_bits(id.bits))?.cloned().unwrap_or_default();
-            let lists = [(along, &allowance.along), (wisp_shares, &allowance.wisp_shares), (sunk, &allowance.sunk)];
+            let along = OutputList::optional("out_arclengths", "capacity", out_arclengths, capacity)?;
+            let wisp_fractions = OutputList::optional("out_wisp_fractions", "capacity", out_wisp_fractions, capacity)?;
+            let sunk = OutputList::optional("out_body_depths", "capacity", out_body_depths, capacity)?;
+            let count = OutputValue::new("out_count", out_count)?;
+            let permitted = core.permitted_overlap(StrandId::from_bits(id.bits))?.cloned().unwrap_or_default();
+            let lists = [(along, &permitted.along), (wisp_fractions, &permitted.wisp_fractions), (sunk, &permitted.sunk)];
             for (places, values) in &lists {
                 places.as_ref().map_or(Ok(()), |places| places.check_room(values.len()))?;
             }
             for (places, values) in lists {
                 places.map_or(Ok(()), |places| places.write(values))?;
             }
-            count.write(allowance.along.len());
+            count.write(permitted.along.len());
             Ok(())
         })
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::buffers::{Places, Reader, VECTOR_FORMATS, array, strand_ids};
+use super::buffers::{OutputList, Reader, VECTOR_FORMATS, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::pose_def::{read_brush, read_options, shx_brush, shx_element_change, shx_pose_options};
@@ -35,7 +35,7 @@ pub unsafe extern "C" fn shx_solver_drag_strands(
     // SAFETY: the caller's handle, structures and memory for count items each.
     unsafe {
         write("shx_solver_drag_strands", solver, |core, _| {
-            let distances = Places::optional("out_distances", "count", out_distances, count)?;
+            let distances = OutputList::optional("out_distances", "count", out_distances, count)?;
             let ids = strand_ids(ids, count)?;
             let arclengths = array("arclengths", "count", arclengths, count)?;
             let positions = Reader::new("targets", targets, VECTOR_FORMATS)?;
@@ -91,8 +91,8 @@ pub unsafe extern "C" fn shx_solver_brush_strands(
     // SAFETY: the caller's handle, structures and memory for count items each.
     unsafe {
         write("shx_solver_brush_strands", solver, |core, _| {
-            let touched = Places::optional("out_brushed", "count", out_brushed, count)?;
-            let distances = Places::optional("out_distances", "count", out_distances, count)?;
+            let touched = OutputList::optional("out_brushed", "count", out_brushed, count)?;
+            let distances = OutputList::optional("out_distances", "count", out_distances, count)?;
             let ids = strand_ids(ids, count)?;
             let found = core
                 .brush(&ids, &read_brush(brush)?, &read_options(options)?)
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn shx_solver_mirror_strands(
     // SAFETY: the caller's handle, count ids, three numbers twice and place for count ids.
     unsafe {
         write("shx_solver_mirror_strands", solver, |core, _| {
-            let places = Places::new("out_ids", "count", out_ids, count)?;
+            let places = OutputList::new("out_ids", "count", out_ids, count)?;
             let plane = Plane::new(Vector3::from(three("point", point)?), Vector3::from(three("normal", normal)?))?;
             let made = core.add_mirrored(&strand_ids(ids, count)?, &plane)?;
             places.write_all(made.iter().map(|id| shx_strand_id { bits: id.bits() }))

@@ -4,7 +4,7 @@ use std::mem::size_of;
 
 use nalgebra::Vector3;
 
-use super::buffers::{Places, array};
+use super::buffers::{OutputList, array};
 use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::types::shx_body_id;
@@ -106,12 +106,12 @@ pub unsafe extern "C" fn shx_solver_push_out_curves(
                 .chunks_exact(3)
                 .map(Vector3::from_column_slice)
                 .collect();
-            let depths = Places::optional("out_depths", "def.curve_count", out_depths, count)?;
-            let displacements = Places::optional("out_displacements", "def.curve_count", out_displacements, count)?;
-            let stuck = Places::optional("out_stuck", "def.curve_count", out_stuck, count)?;
+            let depths = OutputList::optional("out_depths", "def.curve_count", out_depths, count)?;
+            let displacements = OutputList::optional("out_displacements", "def.curve_count", out_displacements, count)?;
+            let stuck = OutputList::optional("out_stuck", "def.curve_count", out_stuck, count)?;
             let body = BodyId::from_bits(def.body.bits);
             let brought = core.bring_out(body, def.clearance, &counts, &mut moved).map_err(in_words_of_c)?;
-            Places::new("points", "def.point_counts", points, numbers)?
+            OutputList::new("points", "def.point_counts", points, numbers)?
                 .write(&moved.iter().flatten().copied().collect::<Vec<_>>())?;
             let list = |of: fn(&BroughtOut) -> f64| brought.iter().map(of).collect::<Vec<f64>>();
             depths.map_or(Ok(()), |places| places.write(&list(|brought| brought.deepest)))?;

@@ -5,7 +5,7 @@ use std::sync::{Arc, RwLock};
 
 use nalgebra::Vector3;
 
-use super::buffers::{PLACE_FORMATS, Place, Places, Reader, Writer, array, strand_ids};
+use super::buffers::{OutputList, OutputValue, PLACE_FORMATS, Reader, Writer, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver};
 use super::output_transform::OutputTransform;
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn shx_render_hair_create(
     call("shx_render_hair_create", || unsafe {
         let settings = settings_from(settings)?;
         let owned = OwnedGuides::read(&read_versioned("guides", guides)?, settings.points_per_strand)?;
-        let (ground, place) = (Ground::read(roots)?, Place::new("out_hair", out_hair)?);
+        let (ground, place) = (Ground::read(roots)?, OutputValue::new("out_hair", out_hair)?);
         let hair = bind(&settings, &owned.samples(), &ground)?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
         Ok(())
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn shx_solver_create_render_hair(
                 return Err(Error::invalid("count", count, "at least 1"));
             }
             let settings = settings_from(settings)?;
-            let (ground, place) = (Ground::read(roots)?, Place::new("out_hair", out_hair)?);
+            let (ground, place) = (Ground::read(roots)?, OutputValue::new("out_hair", out_hair)?);
             let guides = core.render_guides(&ids, settings.points_per_strand, false)?;
             let hair = bind(&settings, &guides.samples(), &ground)?;
             place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
@@ -156,8 +156,8 @@ pub unsafe extern "C" fn shx_render_hair_save(
 ) -> shx_result {
     // SAFETY: the caller's handle, place for capacity bytes and for one number.
     call("shx_render_hair_save", || unsafe {
-        let (hair, size) = (hair_from(hair)?, Place::new("out_size", out_size)?);
-        let places = Places::image("out_image", out_image, capacity)?;
+        let (hair, size) = (hair_from(hair)?, OutputValue::new("out_size", out_size)?);
+        let places = OutputList::image("out_image", out_image, capacity)?;
         let bytes = hair.to_bytes();
         if let Some(places) = places {
             places.write(&bytes)?;
@@ -184,7 +184,7 @@ pub unsafe extern "C" fn shx_render_hair_load(
     call("shx_render_hair_load", || unsafe {
         // A null image is a mistake even when its size is 0.
         let bytes = array("image", "size", image.cast::<u8>(), size.max(usize::from(image.is_null())))?;
-        let (workers, place) = (settings_from(settings)?.workers, Place::new("out_hair", out_hair)?);
+        let (workers, place) = (settings_from(settings)?.workers, OutputValue::new("out_hair", out_hair)?);
         let load = || RenderHair::from_bytes(bytes, workers.clone());
         let hair = if matches!(workers, Workers::Pool(_)) { on_own_thread(load) } else { load() }?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
@@ -209,7 +209,7 @@ pub unsafe extern "C" fn shx_render_hair_without_guides(
     // SAFETY: the caller's handle, count numbers and place for one pointer.
     call("shx_render_hair_without_guides", || unsafe {
         let (hair, removed) = (hair_from(hair)?, array("removed", "count", removed, count)?);
-        let place = Place::new("out_hair", out_hair)?;
+        let place = OutputValue::new("out_hair", out_hair)?;
         let left = || hair.without_guides(removed).map_err(|error| error.renamed("gone", "removed"));
         let left = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(left) } else { left() }?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(left)))));
@@ -256,8 +256,8 @@ pub unsafe extern "C" fn shx_render_hair_wisps(
         if count > total - first {
             return Err(Error::invalid("count", count, format!("up to {}", total - first)));
         }
-        let guides = Places::optional("out_guides", "count", out_guides, count)?;
-        let wisps = Places::optional("out_wisps", "count", out_wisps, count)?;
+        let guides = OutputList::optional("out_guides", "count", out_guides, count)?;
+        let wisps = OutputList::optional("out_wisps", "count", out_wisps, count)?;
         let range = first..first + count;
         if let Some(guides) = guides {
             let first_of = |strand: usize| hair.guides_of(strand).and_then(|mut list| list.next()).map_or(0, |(guide, _)| guide);
@@ -278,7 +278,7 @@ pub unsafe extern "C" fn shx_render_hair_wisps(
 pub unsafe extern "C" fn shx_render_pose_create(hair: *const shx_render_hair, out_pose: *mut *mut shx_render_pose) -> shx_result {
     // SAFETY: the caller's handle and place for one pointer.
     call("shx_render_pose_create", || unsafe {
-        let (hair, place) = (hair_from(hair)?, Place::new("out_pose", out_pose)?);
+        let (hair, place) = (hair_from(hair)?, OutputValue::new("out_pose", out_pose)?);
         place.write(Box::into_raw(Box::new(shx_render_pose(RwLock::new(RenderPose::new(hair.clone()))))));
         Ok(())
     })

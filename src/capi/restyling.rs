@@ -1,6 +1,6 @@
 //! Restyling: takes current shapes as natural shapes, as rest shapes under gravity, or as shapes to return to.
 
-use super::buffers::{Places, array, each, strand_ids};
+use super::buffers::{OutputList, array, each, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::thread::on_own_thread;
@@ -81,9 +81,9 @@ pub unsafe extern "C" fn shx_solver_shape_stability(
         let (ids, eigenvalues, youngs, radii) = unsafe {
             (
                 strand_ids(ids, count)?,
-                Places::optional("out_eigenvalues", "count", out_eigenvalues, count)?,
-                Places::optional("out_youngs_scales", "count", out_youngs_scales, count)?,
-                Places::optional("out_radius_scales", "count", out_radius_scales, count)?,
+                OutputList::optional("out_eigenvalues", "count", out_eigenvalues, count)?,
+                OutputList::optional("out_youngs_scales", "count", out_youngs_scales, count)?,
+                OutputList::optional("out_radius_scales", "count", out_radius_scales, count)?,
             )
         };
         check_margin(margin)?;
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn shx_solver_stiffen_strands(
     unsafe {
         write("shx_solver_stiffen_strands", solver, |core, _| {
             let ids = strand_ids(ids, count)?;
-            let places = Places::optional("out_scales", "count", out_scales, count)?;
+            let places = OutputList::optional("out_scales", "count", out_scales, count)?;
             let by = match by {
                 SHX_STIFFEN_YOUNGS_MODULUS => Stiffening::YoungsModulus,
                 SHX_STIFFEN_RADIUS => Stiffening::Radius,
@@ -158,7 +158,7 @@ pub unsafe extern "C" fn shx_solver_get_shapes(
     unsafe {
         read("shx_solver_get_shapes", solver, |core| {
             let ids = strand_ids(ids, count)?;
-            let places = Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?;
+            let places = OutputList::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?;
             places.check_room(total(core, &ids)?)?;
             places.write(&core.shapes(&ids)?)
         })

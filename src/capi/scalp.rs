@@ -4,7 +4,7 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::Vector3;
 
-use super::buffers::{POINT_FORMATS, Place, Places, Reader, Writer, array};
+use super::buffers::{OutputList, OutputValue, POINT_FORMATS, Reader, Writer, array};
 use super::errors::shx_result;
 use super::guard::call;
 use super::render_def::NO_INPUT;
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn shx_scalp_create(def: *const shx_scalp_def, out_scalp: 
         } else {
             Some(array("def.uvs", "def.triangle_count", def.uvs.cast::<[[f64; 2]; 3]>(), def.triangle_count)?.to_vec())
         };
-        let place = Place::new("out_scalp", out_scalp)?;
+        let place = OutputValue::new("out_scalp", out_scalp)?;
         let scalp = Scalp::new(vertices, corners.to_vec(), uvs, def.reference_axis.into())
             .map_err(|error| error.inside("def").renamed("def.reference", "def.reference_axis"))?;
         place.write(Box::into_raw(Box::new(shx_scalp(scalp))));
@@ -247,9 +247,9 @@ pub unsafe extern "C" fn shx_scalp_scatter(
             return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
         }
         check_reserved("def", &def.reserved)?;
-        let count = Place::new("out_count", out_count)?;
-        let follicles = Places::optional("out_follicles", "capacity", out_follicles, capacity)?;
-        let distance = Places::optional("out_min_distance", "out_min_distance", out_min_distance, 1)?;
+        let count = OutputValue::new("out_count", out_count)?;
+        let follicles = OutputList::optional("out_follicles", "capacity", out_follicles, capacity)?;
+        let distance = OutputList::optional("out_min_distance", "out_min_distance", out_min_distance, 1)?;
         let amount = match (def.count, def.spacing) {
             (0, spacing) => Amount::Spacing(spacing),
             (count, 0.0) => Amount::Count(count),
@@ -331,7 +331,7 @@ pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
     call("shx_scalp_follicles_at_uvs", || unsafe {
         let scalp = scalp_from(scalp)?;
         let uvs: &[[f64; 2]] = array("uvs", "count", uvs.cast::<[f64; 2]>(), count)?;
-        let places = Places::new("out_follicles", "count", out_follicles, count)?;
+        let places = OutputList::new("out_follicles", "count", out_follicles, count)?;
         let follicles = scalp.follicles_at(uvs, Jitter { amplitude: jitter, seed })?;
         places.write_all(follicles.iter().map(shx_follicle::new))
     })

@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Places, strand_ids};
+use super::buffers::{OutputList, strand_ids};
 use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_WARN};
@@ -210,9 +210,9 @@ pub unsafe extern "C" fn shx_solver_settle(
         let (ids, status, eigenvalues, residuals) = unsafe {
             (
                 strand_ids(ids, count)?,
-                Places::optional("out_status", "count", out_status, count)?,
-                Places::optional("out_eigenvalues", "count", out_eigenvalues, count)?,
-                Places::optional("out_residuals", "count", out_residuals, count)?,
+                OutputList::optional("out_status", "count", out_status, count)?,
+                OutputList::optional("out_eigenvalues", "count", out_eigenvalues, count)?,
+                OutputList::optional("out_residuals", "count", out_residuals, count)?,
             )
         };
         let started = Instant::now();

@@ -1,6 +1,6 @@
 //! A strand's curvatures: natural ones, current ones, and their rates. One row of three doubles per element.
 
-use super::buffers::{Places, array};
+use super::buffers::{OutputList, array};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::types::shx_strand_id;
@@ -48,7 +48,7 @@ pub unsafe extern "C" fn shx_solver_get_natural_curvatures(
     // SAFETY: the caller's handle and place for count rows.
     unsafe {
         read("shx_solver_get_natural_curvatures", solver, |core| {
-            let places = Places::new("out_curvatures", "count", out_curvatures.cast::<[f64; 3]>(), count)?;
+            let places = OutputList::new("out_curvatures", "count", out_curvatures.cast::<[f64; 3]>(), count)?;
             places.write(core.natural_curvatures(StrandId::from_bits(id.bits))?)
         })
     }
@@ -72,9 +72,9 @@ pub unsafe extern "C" fn shx_solver_get_curvatures(
         }
         let id = StrandId::from_bits(id.bits);
         // SAFETY: the caller's memory for count rows.
-        let curvatures = unsafe { Places::optional("out_curvatures", "count", out_curvatures.cast::<[f64; 3]>(), count)? };
+        let curvatures = unsafe { OutputList::optional("out_curvatures", "count", out_curvatures.cast::<[f64; 3]>(), count)? };
         // SAFETY: the same.
-        let rates = unsafe { Places::optional("out_rates", "count", out_rates.cast::<[f64; 3]>(), count)? };
+        let rates = unsafe { OutputList::optional("out_rates", "count", out_rates.cast::<[f64; 3]>(), count)? };
         let (present, moving) = (core.curvatures(id)?, core.rates(id)?);
         if let Some(curvatures) = curvatures {
             curvatures.write(present)?;

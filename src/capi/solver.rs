@@ -4,7 +4,7 @@ use std::sync::atomic::Ordering;
 
 use nalgebra::Vector3;
 
-use super::buffers::{Place, array};
+use super::buffers::{OutputValue, array};
 use super::errors::shx_result;
 use super::guard::{call, destroy, read, shx_solver, write};
 use super::log::{SHX_LOG_DEBUG, SHX_LOG_INFO};
@@ -26,7 +26,7 @@ use crate::solver::definition::Workers;
 pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solver: *mut *mut shx_solver) -> shx_result {
     call("shx_solver_create", || {
         // SAFETY: the caller's pointer to one pointer.
-        let place = unsafe { Place::new("out_solver", out_solver)? };
+        let place = unsafe { OutputValue::new("out_solver", out_solver)? };
         let def = if def.is_null() {
             shx_solver_def::defaults()
         } else {
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn shx_solver_destroy(solver: *mut shx_solver) {
 pub unsafe extern "C" fn shx_solver_get_own_user_data(solver: *const shx_solver, out_user_data: *mut u64) -> shx_result {
     call("shx_solver_get_own_user_data", || {
         // SAFETY: the caller's handle, null or alive, and place for one number.
-        let (solver, place) = unsafe { (solver.as_ref(), Place::new("out_user_data", out_user_data)?) };
+        let (solver, place) = unsafe { (solver.as_ref(), OutputValue::new("out_user_data", out_user_data)?) };
         let solver = solver.ok_or_else(|| Error::NullArgument { argument: "solver".into() })?;
         place.write(solver.user_data.load(Ordering::Relaxed));
         Ok(())
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn shx_solver_memory_usage(solver: *const shx_solver, out_
     // SAFETY: the caller's handle, null or alive, and place for one number.
     unsafe {
         read("shx_solver_memory_usage", solver, |core| {
-            Place::new("out_bytes", out_bytes)?.write(core.memory_usage());
+            OutputValue::new("out_bytes", out_bytes)?.write(core.memory_usage());
             Ok(())
         })
     }

@@ -4,7 +4,7 @@ use std::mem::size_of;
 
 use nalgebra::Vector3;
 
-use super::buffers::{POINT_FORMATS, Place, Places, Reader, VECTOR_FORMATS, Writer};
+use super::buffers::{OutputList, OutputValue, POINT_FORMATS, Reader, VECTOR_FORMATS, Writer};
 use super::errors::shx_result;
 use super::guard::call;
 use super::render_def::NO_INPUT;
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn shx_spline_points(
         };
         // SAFETY: the caller's points and place for a number.
         let (reader, out_count) = unsafe {
-            (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, Place::new("out_count", out_count)?)
+            (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, OutputValue::new("out_count", out_count)?)
         };
         let spline = Spline::new(kind, ends, reader.count()).map_err(|error| error.inside("def"))?;
         let controls: Vec<Vector3<f64>> = (0..reader.count()).map(|index| reader.point(index).into()).collect();
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn shx_spline_points(
         // SAFETY: the caller's memory.
         let writer = unsafe { Writer::required("points", points, VECTOR_FORMATS, made.len())? };
         // SAFETY: as many doubles as points, or null.
-        let places = unsafe { Places::optional("out_arclengths", "points.count", out_arclengths, made.len())? };
+        let places = unsafe { OutputList::optional("out_arclengths", "points.count", out_arclengths, made.len())? };
         if let Some(places) = places {
             places.write(&arclengths)?;
         }

@@ -3,7 +3,7 @@
 use std::ffi::c_void;
 use std::mem::size_of;
 
-use super::buffers::{Place, Places, array};
+use super::buffers::{OutputList, OutputValue, array};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::log::{LogSink, SHX_LOG_INFO};
@@ -40,7 +40,8 @@ unsafe fn snapshot(
     out_size: *mut usize,
 ) -> Result<()> {
     // SAFETY: the same.
-    let (place, image) = unsafe { (Place::new("out_size", out_size)?, Places::image("out_image", out_image, capacity)?) };
+    let (place, image) =
+        unsafe { (OutputValue::new("out_size", out_size)?, OutputList::image("out_image", out_image, capacity)?) };
     let size = core.snapshot_size(shapes);
     if let Some(image) = image {
         image.check_room(size)?;
@@ -127,7 +128,7 @@ pub unsafe extern "C" fn shx_solver_snapshot_shapes(
     // SAFETY: the caller's handle, place for capacity bytes and for one number.
     unsafe {
         read("shx_solver_snapshot_shapes", solver, |core| {
-            let (place, image) = (Place::new("out_size", out_size)?, Places::image("out_image", out_image, capacity)?);
+            let (place, image) = (OutputValue::new("out_size", out_size)?, OutputList::image("out_image", out_image, capacity)?);
             let size = core.snapshot_shapes_size();
             if let Some(image) = image {
                 image.check_room(size)?;
@@ -262,7 +263,7 @@ pub unsafe extern "C" fn shx_solver_state_hash(solver: *const shx_solver, out_ha
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_state_hash", solver, |core| {
-            Place::new("out_hash", out_hash)?.write(core.state_hash());
+            OutputValue::new("out_hash", out_hash)?.write(core.state_hash());
             Ok(())
         })
     }

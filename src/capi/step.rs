@@ -128,7 +128,7 @@ impl shx_step_report {
             mean_iterations: report.mean_iterations,
             max_condition: report.max_condition,
             max_local_error: report.max_error,
-            contacts: report.contact.touches,
+            contacts: report.contact.contacts,
             contact_searches: report.contact.searches,
             max_contact_iterations: report.contact.iterations,
             unconverged_islands: report.contact.unconverged,

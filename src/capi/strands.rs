@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use super::buffers::{Place, Places, each, strand_ids};
+use super::buffers::{OutputList, OutputValue, each, strand_ids};
 use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::log::{LogSink, SHX_LOG_WARN};
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn shx_solver_add_strands(
     // SAFETY: the caller's handle, structures and place for count ids.
     unsafe {
         write("shx_solver_add_strands", solver, |core, log| {
-            let places = Places::new("out_ids", "count", out_ids, count)?;
+            let places = OutputList::new("out_ids", "count", out_ids, count)?;
             // Checks for the total memory at once: a hundred thousand small lists cannot be reserved as one.
             let bytes = Cell::new(0_usize);
             let count_bytes = |def: &shx_strand_def, argument: &str| {
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn shx_solver_strand_count(solver: *const shx_solver, out_
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_strand_count", solver, |core| {
-            Place::new("out_count", out_count)?.write(core.strand_count());
+            OutputValue::new("out_count", out_count)?.write(core.strand_count());
             Ok(())
         })
     }
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn shx_solver_strand_ids(
     // SAFETY: the caller's handle and place for capacity ids.
     unsafe {
         read("shx_solver_strand_ids", solver, |core| {
-            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
+            let places = OutputList::new("out_ids", "capacity", out_ids, capacity)?;
             places.check_room(core.strand_count())?;
             places.write_all(core.strand_ids().iter().map(|id| shx_strand_id { bits: id.bits() }))
         })
@@ -145,7 +145,7 @@ pub unsafe extern "C" fn shx_solver_get_element_count(
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_get_element_count", solver, |core| {
-            let place = Place::new("out_count", out_count)?;
+            let place = OutputValue::new("out_count", out_count)?;
             place.write(core.element_lengths(StrandId::from_bits(id.bits))?.len());
             Ok(())
         })
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn shx_solver_get_element_lengths(
     // SAFETY: the caller's handle and place for capacity numbers.
     unsafe {
         read("shx_solver_get_element_lengths", solver, |core| {
-            let places = Places::new("out_lengths", "capacity", out_lengths, capacity)?;
+            let places = OutputList::new("out_lengths", "capacity", out_lengths, capacity)?;
             places.write(core.element_lengths(StrandId::from_bits(id.bits))?)
         })
     }
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn shx_solver_strand_lengths(
     // SAFETY: the caller's handle, count ids and place for count numbers.
     unsafe {
         read("shx_solver_strand_lengths", solver, |core| {
-            let places = Places::new("out_lengths", "count", out_lengths, count)?;
+            let places = OutputList::new("out_lengths", "count", out_lengths, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| core.length(id))?)
         })
     }
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn shx_solver_get_user_data(
     // SAFETY: the caller's handle and place for one number.
     unsafe {
         read("shx_solver_get_user_data", solver, |core| {
-            let place = Place::new("out_user_data", out_user_data)?;
+            let place = OutputValue::new("out_user_data", out_user_data)?;
             place.write(core.user_data(StrandId::from_bits(id.bits))?);
             Ok(())
         })
@@ -237,7 +237,7 @@ pub unsafe extern "C" fn shx_solver_strand_status(
     // SAFETY: the caller's handle, count ids and place for count results.
     unsafe {
         read("shx_solver_strand_status", solver, |core| {
-            let places = Places::new("out_status", "count", out_status, count)?;
+            let places = OutputList::new("out_status", "count", out_status, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| {
                 Ok(match core.status(id)? {
                     StrandStatus::Ok => SHX_STRAND_CONVERGED,
@@ -262,7 +262,7 @@ pub unsafe extern "C" fn shx_solver_strand_iterations(
     // SAFETY: the caller's handle, count ids and place for count numbers.
     unsafe {
         read("shx_solver_strand_iterations", solver, |core| {
-            let places = Places::new("out_iterations", "count", out_iterations, count)?;
+            let places = OutputList::new("out_iterations", "count", out_iterations, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| core.iterations(id))?)
         })
     }
@@ -286,8 +286,8 @@ pub unsafe extern "C" fn shx_solver_strand_quadrature(
     // SAFETY: the caller's handle, count ids and places for count numbers each.
     unsafe {
         read("shx_solver_strand_quadrature", solver, |core| {
-            let points = Places::new("out_points", "count", out_points, count)?;
-            let errors = Places::new("out_errors", "count", out_errors, count)?;
+            let points = OutputList::new("out_points", "count", out_points, count)?;
+            let errors = OutputList::new("out_errors", "count", out_errors, count)?;
             let found = each(&strand_ids(ids, count)?, |id| core.quadrature(id))?;
             points.write_all(found.iter().map(|quadrature| quadrature.points))?;
             errors.write_all(found.iter().map(|quadrature| quadrature.error))
@@ -309,7 +309,7 @@ pub unsafe extern "C" fn shx_solver_strand_turning_angles(
     // SAFETY: the caller's handle, count ids and place for count numbers.
     unsafe {
         read("shx_solver_strand_turning_angles", solver, |core| {
-            let places = Places::new("out_turns", "count", out_turns, count)?;
+            let places = OutputList::new("out_turns", "count", out_turns, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| core.largest_turn(id))?)
         })
     }
@@ -331,9 +331,9 @@ pub unsafe extern "C" fn shx_solver_strand_energies(
     // SAFETY: the caller's handle, count ids and places for count numbers.
     unsafe {
         read("shx_solver_strand_energies", solver, |core| {
-            let kinetic = Places::optional("out_kinetic", "count", out_kinetic, count)?;
-            let elastic = Places::optional("out_elastic", "count", out_elastic, count)?;
-            let gravity = Places::optional("out_gravity", "count", out_gravity, count)?;
+            let kinetic = OutputList::optional("out_kinetic", "count", out_kinetic, count)?;
+            let elastic = OutputList::optional("out_elastic", "count", out_elastic, count)?;
+            let gravity = OutputList::optional("out_gravity", "count", out_gravity, count)?;
             let energies = each(&strand_ids(ids, count)?, |id| core.energies(id))?;
             for (places, field) in [
                 (kinetic, energies.iter().map(|energy| energy.kinetic).collect::<Vec<_>>()),

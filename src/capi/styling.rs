@@ -4,7 +4,7 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::Vector3;
 
-use super::buffers::{Place, Places, array, constraint_ids, frame_from, strand_ids};
+use super::buffers::{OutputList, OutputValue, array, constraint_ids, frame_from, strand_ids};
 use super::constraints::{SHX_CONSTRAINT_DIRECTION, SHX_CONSTRAINT_FRAME, SHX_CONSTRAINT_POINT};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
@@ -94,8 +94,8 @@ pub unsafe extern "C" fn shx_solver_clip_strands(
     // SAFETY: the caller's handle, structure, count ids, and room for capacity ids and one number.
     unsafe {
         write("shx_solver_clip_strands", solver, |core, _| {
-            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
-            let made = Place::new("out_count", out_count)?;
+            let places = OutputList::new("out_ids", "capacity", out_ids, capacity)?;
+            let made = OutputValue::new("out_count", out_count)?;
             let clip = read_versioned("def", def)?.clip()?;
             let defs = core
                 .clip_constraints(&strand_ids(ids, count)?, &clip)
@@ -170,8 +170,8 @@ pub unsafe extern "C" fn shx_solver_scissor_strands(
     // SAFETY: the caller's handle, count ids, twelve numbers, and room for count cuts and one number.
     unsafe {
         write("shx_solver_scissor_strands", solver, |core, _| {
-            let places = Places::new("out_cuts", "count", out_cuts, count)?;
-            let number = Place::new("out_count", out_count)?;
+            let places = OutputList::new("out_cuts", "count", out_cuts, count)?;
+            let number = OutputValue::new("out_count", out_count)?;
             let corners: &[[f64; 3]] = array("corners", "corners", corners.cast::<[f64; 3]>(), 4)?;
             let corners: [Vector3<f64>; 4] = std::array::from_fn(|k| corners[k].into());
             let cuts = core.cut_across(&strand_ids(ids, count)?, &corners, min_length)?;
@@ -258,7 +258,7 @@ pub unsafe extern "C" fn shx_solver_heat_strands(
     // SAFETY: the caller's handle, structure, count ids, and room for count numbers.
     unsafe {
         write("shx_solver_heat_strands", solver, |core, _| {
-            let places = Places::optional("out_heated", "count", out_heated, count)?;
+            let places = OutputList::optional("out_heated", "count", out_heated, count)?;
             let def = read_versioned("def", def)?;
             let shape = match def.shape {
                 SHX_HEAT_STRAIGHT => HeatedShape::Straight,
@@ -317,7 +317,7 @@ pub unsafe extern "C" fn shx_solver_frozen_strands(
     // SAFETY: the caller's handle, count ids and room for count bytes.
     unsafe {
         read("shx_solver_frozen_strands", solver, |core| {
-            let places = Places::new("out_frozen", "count", out_frozen, count)?;
+            let places = OutputList::new("out_frozen", "count", out_frozen, count)?;
             let frozen = core.are_frozen(&strand_ids(ids, count)?)?;
             places.write_all(frozen.into_iter().map(u8::from))
         })

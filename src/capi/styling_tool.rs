@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::buffers::{Place, Places, frame_from};
+use super::buffers::{OutputList, OutputValue, frame_from};
 use super::errors::shx_result;
 use super::guard::{call, shx_solver, write};
 use super::types::{shx_body_id, shx_frame};
@@ -146,8 +146,8 @@ pub unsafe extern "C" fn shx_tool_frames(
             (
                 read_versioned("def", def)?,
                 frame_from("frame", frame)?,
-                Places::optional("out_frames", "capacity", out_frames, capacity)?,
-                Place::new("out_count", out_count)?,
+                OutputList::optional("out_frames", "capacity", out_frames, capacity)?,
+                OutputValue::new("out_count", out_count)?,
             )
         };
         let frames = def.tool()?.frames(&frame, opening)?;
@@ -170,7 +170,7 @@ pub unsafe extern "C" fn shx_tool_hot_box(def: *const shx_tool_def, opening: f64
     call("shx_tool_hot_box", || {
         // SAFETY: the caller's structure, and room for three numbers.
         let (def, place) =
-            unsafe { (read_versioned("def", def)?, Place::new("out_half_edges", out_half_edges.cast::<[f64; 3]>())?) };
+            unsafe { (read_versioned("def", def)?, OutputValue::new("out_half_edges", out_half_edges.cast::<[f64; 3]>())?) };
         crate::error::check_not_negative(|| "opening".into(), opening)?;
         let Some((_, half_edges)) = def.tool()?.hot_box(opening) else {
             let hint = "take SHX_TOOL_PLATES or SHX_TOOL_BARREL".into();
@@ -200,8 +200,8 @@ pub unsafe extern "C" fn shx_solver_add_tool(
     // SAFETY: the caller's handle, structures, and room for capacity ids and one number.
     unsafe {
         write("shx_solver_add_tool", solver, |core, _| {
-            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
-            let count = Place::new("out_count", out_count)?;
+            let places = OutputList::new("out_ids", "capacity", out_ids, capacity)?;
+            let count = OutputValue::new("out_count", out_count)?;
             let (tool, frame) = (read_versioned("def", def)?.tool()?, frame_from("frame", frame)?);
             places.check_room(tool.body_count())?;
             let ids = core.add_bodies(tool.bodies(&frame, opening)?)?;

@@ -2,7 +2,7 @@
 
 use std::mem::size_of;
 
-use super::buffers::Places;
+use super::buffers::OutputList;
 use super::errors::shx_result;
 use super::guard::call;
 use super::materials::shx_material;
@@ -82,8 +82,8 @@ pub unsafe extern "C" fn shx_wisp_material(
             let wisp = read_versioned("wisp", wisp)?.wisp()?;
             let hair = read_versioned("hair", hair)?.material("hair")?;
             let place = VersionedOutput::new("out_material", out_material)?;
-            let radius = Places::optional("out_radius", "one", out_radius, 1)?;
-            let margin = Places::optional("out_margin", "one", out_margin, 1)?;
+            let radius = OutputList::optional("out_radius", "one", out_radius, 1)?;
+            let margin = OutputList::optional("out_margin", "one", out_margin, 1)?;
             let material = wisp.material(&hair)?;
             place.write(&shx_material::of(&material));
             radius.map_or(Ok(()), |place| place.write(&[wisp.radius(&hair)]))?;

@@ -21,8 +21,8 @@ use crate::rod::kinematics::Kinematics;
 #[derive(Debug, Clone, Default)]
 pub struct Delassus {
     /// How many loaded points.
-    pub stations: usize,
-    /// Column after column, three rows and three columns a point: entry `(3 j + b) * 3 * stations + 3 i + a` is how far point i
+    pub material_points: usize,
+    /// Column after column, three rows and three columns a point: entry `(3 j + b) * 3 * material_points + 3 i + a` is how far point i
     /// moves along axis a under a unit force along axis b at point j, m/N. Symmetric to the bit.
     pub columns: Vec<f64>,
     scratch: PassScratch,
@@ -50,7 +50,7 @@ impl Delassus {
         loads: &[Load<f64>],
         axes: &[usize],
     ) {
-        self.stations = loads.len();
+        self.material_points = loads.len();
         self.columns.resize(9 * loads.len() * loads.len(), 0.0);
         // Registers of any width give the same bits: columns do not depend on each other.
         #[cfg(target_arch = "x86_64")]
@@ -200,7 +200,7 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
             }
             // Back from the root, up to each column's own point: symmetry gives the entries farther out.
             let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
-            let mut station = 0;
+            let mut material_point = 0;
             for index in 0..=last {
                 let element = &kinematics.elements[index];
                 let done = &done[count - 1 - index];
@@ -213,20 +213,21 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                     }
                     delta[k] = value * one(&done.reduced.factor[k][k]);
                 }
-                while 3 * station < first + T::LANES && loads.get(station).is_some_and(|load| load.element == index) {
-                    let load = &loads[station];
+                while 3 * material_point < first + T::LANES && loads.get(material_point).is_some_and(|load| load.element == index)
+                {
+                    let load = &loads[material_point];
                     let mut moved = rho - vector::<f64, T>(&load.local, 0).cross(psi);
                     for k in 0..D {
                         moved += vector::<f64, T>(&load.jacobian.column(axes[k]), 0).scale(delta[k]);
                     }
                     let moved = matrix::<P, T>(&element.frame_left, member).apply(moved);
                     for (a, moved) in moved.0.iter().enumerate() {
-                        let column = &mut columns[(3 * station + a) * size..][..size];
+                        let column = &mut columns[(3 * material_point + a) * size..][..size];
                         for (lane, entry) in column[first..].iter_mut().take(T::LANES).enumerate() {
                             *entry = moved.lane(lane);
                         }
                     }
-                    station += 1;
+                    material_point += 1;
                 }
                 let (mut next_psi, mut next_rho) = (psi, rho - vector::<P, T>(&element.end, member).cross(psi));
                 for k in 0..D {

@@ -13,7 +13,7 @@ use crate::rod::segment;
 
 /// A material point that is not a quadrature point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Station {
+pub struct MaterialPoint {
     /// Which element.
     pub element: usize,
     /// Arclength from its left end, m.
@@ -22,7 +22,7 @@ pub struct Station {
     pub lever: [f64; 3],
 }
 
-impl Station {
+impl MaterialPoint {
     /// A point on the strand itself.
     pub fn on(element: usize, s: f64) -> Self {
         Self { element, s, lever: [0.0; 3] }
@@ -59,22 +59,22 @@ pub struct Load<T> {
 
 impl Load<f64> {
     /// The load of a material point in the shape of `elements`; `tension` in world axes.
-    pub fn at(elements: &[ElementState<f64>], station: &Station, tension: Vec3<f64>) -> Self {
-        let element = &elements[station.element];
-        let point = element.point(station.s);
-        let (theta, z) = (element.kappa.scale(station.s), element.kappa_squared * (station.s * station.s));
-        let mut jacobian = segment::chord_gradient(theta, z, &point.c).scale(station.s * station.s);
+    pub fn at(elements: &[ElementState<f64>], material_point: &MaterialPoint, tension: Vec3<f64>) -> Self {
+        let element = &elements[material_point.element];
+        let point = element.point(material_point.s);
+        let (theta, z) = (element.kappa.scale(material_point.s), element.kappa_squared * (material_point.s * material_point.s));
+        let mut jacobian = segment::chord_gradient(theta, z, &point.c).scale(material_point.s * material_point.s);
         let (mut lever, mut turning) = (Vec3::zero(), None);
-        if station.has_lever() {
-            lever = segment::frame(theta, z, &point.c).apply(Vec3(station.lever));
-            let psi = segment::mean_frame(theta, z, &point.c).scale(station.s);
+        if material_point.has_lever() {
+            lever = segment::frame(theta, z, &point.c).apply(Vec3(material_point.lever));
+            let psi = segment::mean_frame(theta, z, &point.c).scale(material_point.s);
             // (Ψ δ)×l = −[l]× Ψ δ.
             jacobian = jacobian.sub(&psi.crossed_from_left(lever));
             turning = Some(psi);
         }
         Self {
-            element: station.element,
-            s: station.s,
+            element: material_point.element,
+            s: material_point.s,
             c: point.c,
             local: point.local + lever,
             jacobian,

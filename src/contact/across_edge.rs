@@ -1,11 +1,11 @@
-//! A strand across an edge of a solid: the plane that holds it off.
+//! A strand across an edge of a solid: the separating plane.
 
 use super::descent::Sample;
 use super::shape::Surface;
 
-/// The surface at a minimum inside a solid. Where the nearest faces change there, the strand lies across the edge that they meet in, and the
-/// plane that holds it off goes through that edge across the strand: its normal is the one between theirs that has no part along the
-/// strand. A face's own would push it along itself, which no strand gives way to.
+/// The surface at a minimum inside a solid. If the nearest faces change there, the strand lies across the edge between them,
+/// and the separating plane goes through that edge across the strand: its normal is the one between theirs without a component
+/// along the strand. A face's own normal would push the strand along itself, to which no strand yields.
 pub(super) fn across_edge(
     lowest: &Sample<Surface>,
     mut around: [Sample<Surface>; 2],
@@ -15,7 +15,7 @@ pub(super) fn across_edge(
     const BLUNT: f64 = 0.3;
     /// Normals that turn by less along the strand are of one surface.
     const EDGE: f64 = 0.2;
-    /// The faces are asked for inside, and no farther from the edge than this, m.
+    /// The faces are sampled inside, and no further from the edge than this, m.
     const BESIDE: f64 = 1e-5;
     let surface = lowest.found;
     if around[1].slope - around[0].slope < EDGE {

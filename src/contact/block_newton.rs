@@ -1,9 +1,9 @@
-//! All touches of one block (a strand, or strands that bonds join) at once, those of other blocks as they are: a semismooth Newton
-//! iteration on the laws' equations ([`super::law::linear`]) with a line search, and sweeps of Gauss–Seidel inside the block where that
-//! does not get on.
+//! All contacts of one block (a strand, or strands joined by bilateral constraints) at once, with those of other blocks fixed:
+//! a semismooth Newton iteration on the laws' equations ([`super::law::linear`]) with a line search, and Gauss–Seidel sweeps
+//! inside the block where that makes no progress.
 //!
-//! Touches near each other on one strand move nearly alike, so that a sweep over touches exchanges force between them by tiny parts
-//! (1e-3 and less a sweep); solved together, what they have in common is found at once.
+//! Contacts near each other on one strand move nearly alike, so that a sweep over contacts exchanges force between them in tiny
+//! fractions (1e-3 and less per sweep); a joint solve finds what they have in common at once.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -15,49 +15,51 @@ use super::law::linear::Linear;
 use super::system::System;
 use crate::meter::Meter;
 
-/// Touches that move alike to this part of their own response share a force nearly as they did before: the iteration is damped where W is
-/// next to singular, by this part of W or by the residual, whichever is less, never by less than the least.
+/// Contacts that move alike to within this fraction of their own response share a force nearly as they did before: where W is
+/// nearly singular the iteration is damped by this fraction of W, or by the residual if that is less, but at least by the
+/// minimum.
 const DAMPING: f64 = 1e-4;
 const LEAST_DAMPING: f64 = 1e-9;
-/// Most Newton iterations of one visit to a block.
-const MOST: u32 = 30;
-/// So many of Newton's first steps are taken whole: a step that leaves some laws worse finds which touches press. The best point is kept.
+/// The largest number of Newton iterations of one visit to a block.
+const MAX_ITERATIONS: u32 = 30;
+/// This many of Newton's first steps are taken in full: a step that increases some residuals finds out which contacts press.
+/// The best point is kept.
 const FREE: u32 = 12;
-/// What has not halved its residual in so many steps is left: constraints that touches contradict make problems without solution. (But not
-/// before it had its free steps, and a problem that is taken whole some more, unless it has more than so many touches: a step's price grows with
-/// their cube. Of 14,000 that came to their end in a shake nine took more. Touches that bonds press take all steps: left earlier, constraints
-/// that can be held are told as violated.)
+/// A problem whose residual has not halved in this many steps is left: bilateral constraints that contradict contacts make
+/// problems without solution. (Not before its full steps are taken, and a problem that is solved as a whole gets some more,
+/// unless it has more than this many contacts: the cost of a step grows with their cube. Contacts under pressure from bilateral
+/// constraints get all steps: if they were left earlier, constraints that can be satisfied would be reported as violated.)
 const STEPS: u32 = 8;
 const LARGE: usize = 100;
 /// Sweeps in the block where Newton's direction leads nowhere.
 const SWEEPS: u32 = 4;
 
-/// Nanoseconds or so: of a row's laws and what is made ready for it; of a row in another's column of K; and how many multiplications of an
-/// elimination take one.
+/// Costs in nanoseconds or so: of a row's law and its preparation; of a row in another's column of K; and the number of
+/// multiplications of an elimination per nanosecond.
 const WORK_A_ROW: u64 = 500;
 const WORK_A_BLOCK: u64 = 60;
 const MULTIPLICATIONS: u64 = 4;
 
-/// How far to go.
+/// When to stop.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Goal {
-    /// To this residual, or
+    /// At this residual, or
     pub tolerance: f64,
-    /// this part of the present one, or
+    /// at this fraction of the first one, or
     pub part: f64,
-    /// until this is spent, nanoseconds or so.
-    pub most_work: u64,
+    /// when this cost is spent, nanoseconds or so.
+    pub max_work: u64,
 }
 
 /// The solver's memory.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BlockNewton {
-    /// The work that the last solve took.
+    /// The cost of the last solve.
     pub(super) work: u64,
     /// The block's rows.
     rows: Vec<u32>,
     solves: Vec<LawSolve>,
-    /// K: displacement of the rows per force at the rows, 3 rows a side, column after column; those that were needed so far.
+    /// K: displacement of the rows per force at the rows, 3 rows each, column by column; only columns needed so far.
     coupling: Vec<f64>,
     known: Vec<bool>,
     forces: Vec<Vector3<f64>>,
@@ -76,8 +78,7 @@ pub(super) struct BlockNewton {
 }
 
 impl BlockNewton {
-    /// Solves for the forces of `rows` as far as `goal` says, in the scales of `report`. What it
-    /// finds is for [`BlockNewton::apply`].
+    /// Solves for the forces of `rows` until `goal`, in the scales of `report`. [`BlockNewton::apply`] takes over the result.
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, and when to stop")]
     pub(super) fn solve(
         &mut self,
@@ -89,7 +90,7 @@ impl BlockNewton {
         goal: Goal,
         meter: &Meter,
     ) {
-        let Goal { tolerance, part, most_work } = goal;
+        let Goal { tolerance, part, max_work } = goal;
         self.begin(system, forces, rows);
         self.work = WORK_A_ROW * rows.len() as u64;
         let mut worst = self.residual(space, system, report);
@@ -107,16 +108,16 @@ impl BlockNewton {
         let mut halved = (worst, 0);
         let until = match () {
             () if m > LARGE => 0,
-            () if system.bonds.are_there() => MOST,
+            () if system.bilateral.are_there() => MAX_ITERATIONS,
             () if part > 0.0 => FREE,
             () => FREE + STEPS,
         };
         let mut merit = linearise(space, system, &self.rows, &self.forces, &self.moved, &mut self.linear);
-        for k in 0..MOST {
+        for k in 0..MAX_ITERATIONS {
             let rows = m as u64;
             let active = self.linear.iter().filter(|linear| linear.by_displacement != Matrix3::zeros()).count() as u64;
             let next = (3 * active).pow(3) / (3 * MULTIPLICATIONS) + WORK_A_BLOCK * active * rows + WORK_A_ROW * rows;
-            if self.work + next > most_work || meter.is_halted() {
+            if self.work + next > max_work || meter.is_halted() {
                 break;
             }
             self.work += next;
@@ -144,7 +145,7 @@ impl BlockNewton {
         }
     }
 
-    /// Gives the rows the forces that were found.
+    /// Gives the rows the forces found.
     pub(super) fn apply(&self, space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f64>]) {
         for (row, force) in self.rows.iter().zip(&self.best) {
             let row = *row as usize;
@@ -170,13 +171,13 @@ impl BlockNewton {
     fn residual(&self, space: &ContactSpace, system: &System, report: &Report) -> f64 {
         let mut worst = 0.0_f64;
         for ((row, force), u) in self.rows.iter().zip(&self.forces).zip(&self.moved) {
-            let law = &space.touches()[system.rows[*row as usize].touch].law;
-            worst = worst.max(report.miss(law, *u, *force, space.step()));
+            let law = &space.constraints()[system.rows[*row as usize].constraint].law;
+            worst = worst.max(report.law_residual(law, *u, *force, space.step()));
         }
         worst
     }
 
-    /// Makes K's column of a row known.
+    /// Computes K's column of a row, if that is still to do.
     fn need(&mut self, space: &ContactSpace, system: &System, column: usize) {
         if self.known[column] {
             return;
@@ -197,7 +198,7 @@ impl BlockNewton {
         Matrix3::from_fn(|a, b| self.coupling[(3 * j + b) * 3 * m + 3 * i + a])
     }
 
-    /// Newton's direction, and what it displaces. False where there is none.
+    /// Newton's direction, and the displacements along it. False where there is none.
     fn direction(&mut self, space: &ContactSpace, system: &System, damping: f64, meter: &Meter) -> bool {
         let m = self.rows.len();
         self.direction.clear();
@@ -208,9 +209,9 @@ impl BlockNewton {
         for i in 0..m {
             if self.linear[i].by_displacement != Matrix3::zeros() {
                 self.active.push(i);
-            } else if self.linear[i].miss != Vector3::zeros() {
+            } else if self.linear[i].residual != Vector3::zeros() {
                 // Without by_displacement the law is λ = 0.
-                self.direction[i] = -self.linear[i].miss;
+                self.direction[i] = -self.linear[i].residual;
             }
         }
         for j in 0..m {
@@ -227,8 +228,8 @@ impl BlockNewton {
             self.need(space, system, self.active[a]);
         }
         for (a, i) in self.active.iter().enumerate() {
-            let Linear { miss, by_force, by_displacement } = &self.linear[*i];
-            let rhs = -(miss + by_displacement * self.carried[*i]);
+            let Linear { residual, by_force, by_displacement } = &self.linear[*i];
+            let rhs = -(residual + by_displacement * self.carried[*i]);
             self.rhs.extend_from_slice(rhs.as_slice());
             for (b, j) in self.active.iter().enumerate() {
                 let mut k = self.block(*i, *j);
@@ -257,7 +258,7 @@ impl BlockNewton {
         self.carried.iter().all(|u| u.iter().all(|x| x.is_finite()))
     }
 
-    /// Adds what a force at a row displaces.
+    /// Adds the displacements by a force at a row.
     fn carry(&mut self, column: usize, force: Vector3<f64>) {
         let size = 3 * self.rows.len();
         let columns = &self.coupling[3 * column * size..3 * (column + 1) * size];
@@ -270,7 +271,7 @@ impl BlockNewton {
         }
     }
 
-    /// Goes along the direction as far as it does good. False where it does none.
+    /// Line search along the direction. False if no point is better.
     fn search(&mut self, space: &ContactSpace, system: &System, merit: &mut f64, free: bool) -> bool {
         let mut t = 1.0;
         for _ in 0..5 {
@@ -294,7 +295,7 @@ impl BlockNewton {
         false
     }
 
-    /// A sweep over the block's touches, each alone.
+    /// A sweep over the block's contacts, each alone.
     fn sweep(&mut self, space: &ContactSpace, system: &System) {
         for i in 0..self.rows.len() {
             let response = &system.rows[self.rows[i] as usize].response;
@@ -311,7 +312,7 @@ impl BlockNewton {
     }
 }
 
-/// The laws linearised; the sum of squares that they miss by.
+/// Linearises the laws and returns the sum of their squared residuals.
 fn linearise(
     space: &ContactSpace,
     system: &System,
@@ -324,8 +325,8 @@ fn linearise(
     let mut sum = 0.0;
     for ((row, force), u) in rows.iter().zip(forces).zip(moved) {
         let row = &system.rows[*row as usize];
-        let linear = space.touches()[row.touch].law.linearise(u, force, &row.response, space.step());
-        sum += linear.miss.norm_squared();
+        let linear = space.constraints()[row.constraint].law.linearise(u, force, &row.response, space.step());
+        sum += linear.residual.norm_squared();
         out.push(linear);
     }
     sum

@@ -1,4 +1,4 @@
-//! Bodies: what strands are kept out of, where they are and how they move.
+//! Bodies: shapes that strands stay outside of, with their poses and motions.
 
 use std::sync::Arc;
 
@@ -7,8 +7,8 @@ use nalgebra::{Matrix3, Vector3};
 use super::shape::{Bounds, Mesh, Shape, Surface};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
+use crate::math::pose_motion::PoseMotion;
 use crate::math::rotation::rotation_vector;
-use crate::math::way::Way;
 
 /// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
 ///
@@ -43,27 +43,28 @@ pub struct BodyDef {
     pub viscous_friction: f64,
     /// Bits of the groups that the body belongs to.
     pub group: u32,
-    /// Bits of the groups that it touches. A strand and a body meet when each is in a group that the other touches.
+    /// Bits of the groups with which it collides. A strand and a body collide if each is in a group of the other's mask.
     pub mask: u32,
 }
 
 impl BodyDef {
-    /// A body of a shape at the world's origin, without thickness, with the strands' own friction, in the first group, touching all.
+    /// A body with this shape at the world's origin, without thickness, with the strands' own friction, in the first group,
+    /// colliding with all.
     pub fn new(shape: Arc<Shape>) -> Self {
         Self { shape, pose: Frame::default(), thickness: 0.0, friction: 1.0, viscous_friction: 1.0, group: 1, mask: u32::MAX }
     }
 }
 
-/// A body on its way. Not for several threads at once to change; reading is free.
+/// A body in motion. Changes need exclusive access; any number of threads may read.
 #[derive(Debug, Clone)]
 pub struct Body {
     def: BodyDef,
-    /// Where it is going; its pose is the one told in `def`.
-    pub(crate) way: Way,
+    /// Its motion; the present pose is the one in `def`.
+    pub(crate) motion: PoseMotion,
     pub(crate) bending: Option<Box<Bending>>,
 }
 
-/// A mesh's vertices on their way.
+/// A mesh's vertices in motion.
 #[derive(Debug, Clone)]
 pub(crate) struct Bending {
     pub from: Vec<Vector3<f64>>,
@@ -82,10 +83,10 @@ impl Body {
         check_not_negative(|| "friction".into(), def.friction)?;
         check_not_negative(|| "viscous_friction".into(), def.viscous_friction)?;
         check_pose("pose", &def.pose)?;
-        Ok(Self { way: Way::at(def.pose), def, bending: None })
+        Ok(Self { motion: PoseMotion::at(def.pose), def, bending: None })
     }
 
-    /// What it is made of; the pose is the present one.
+    /// Its definition, with the present pose.
     pub fn def(&self) -> &BodyDef {
         &self.def
     }
@@ -102,44 +103,45 @@ impl Body {
         Ok(())
     }
 
-    /// Sets the bits of its groups and of those that it touches.
+    /// Sets the bits of its groups and of those with which it collides.
     pub fn set_filter(&mut self, group: u32, mask: u32) {
         (self.def.group, self.def.mask) = (group, mask);
     }
 
-    /// Whether it and something of these groups touch.
+    /// Whether it collides with something of these groups and this mask.
     pub fn meets(&self, group: u32, mask: u32) -> bool {
         self.def.group & mask != 0 && group & self.def.mask != 0
     }
 
-    /// Sends it to a pose in `duration` seconds, leaving with the velocity that it has; in 0 seconds: within the coming substep.
+    /// Sends it to a pose in `duration` seconds, starting with its present velocity; in 0 seconds: within the coming substep.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when the pose is not finite or the duration not finite and zero or above; nothing is changed then.
+    /// [`Error::InvalidArgument`] when the pose is not finite or the duration not finite and zero or above; nothing is changed
+    /// then.
     pub fn move_to(&mut self, pose: Frame, duration: f64) -> Result<()> {
         check_pose("pose", &pose)?;
         check_not_negative(|| "duration".into(), duration)?;
-        self.way.send(pose, duration);
+        self.motion.send(pose, duration);
         Ok(())
     }
 
-    /// Puts it somewhere, at rest, without passing what lies between.
+    /// Puts it at a pose, at rest, without passing what lies between.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] when the pose is not finite; nothing is changed then.
     pub fn place(&mut self, pose: Frame) -> Result<()> {
         check_pose("pose", &pose)?;
         self.def.pose = pose;
-        self.way = Way::at(pose);
+        self.motion = PoseMotion::at(pose);
         Ok(())
     }
 
-    /// Sends a mesh's vertices (m, the body's axes) to new places in `duration` seconds, each straight and evenly; in 0 seconds: within
-    /// the coming substep. The tree of its boxes is refitted in every substep of the way.
+    /// Sends a mesh's vertices (m, the body's axes) to new positions in `duration` seconds, each along a straight line at
+    /// constant speed; in 0 seconds: within the coming substep. The tree of its boxes is refitted in every substep.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] when the shape is no mesh; [`Error::InvalidArgument`] when the count is not the mesh's, a number is not
-    /// finite, or the duration not finite and zero or above. Nothing is changed then.
+    /// [`Error::Unsupported`] when the shape is no mesh; [`Error::InvalidArgument`] when the count is not the mesh's, a number
+    /// is not finite, or the duration not finite and zero or above. Nothing is changed then.
     pub fn set_vertices(&mut self, vertices: &[Vector3<f64>], duration: f64) -> Result<()> {
         check_not_negative(|| "duration".into(), duration)?;
         let Some(mesh) = self.def.shape.mesh() else {
@@ -164,19 +166,20 @@ impl Body {
         Ok(())
     }
 
-    /// Lets a way that is to be gone at once take the coming `h` seconds.
+    /// Makes a motion of duration 0 take the coming `h` seconds.
     pub(crate) fn ready(&mut self, h: f64) {
-        self.way.begin(h);
+        self.motion.begin(h);
         if let Some(bending) = self.bending.as_deref_mut().filter(|bending| bending.duration == 0.0) {
             bending.duration = h;
         }
     }
 
-    /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
+    /// Prepares the body for a substep of `h` seconds: a motion of duration 0 takes it, and a deforming mesh gets its start and
+    /// end.
     pub fn begin(&mut self, h: f64) {
-        self.way.begin(h);
+        self.motion.begin(h);
         let Some(bending) = &mut self.bending else {
-            // A shape shared with a body that deforms, as it was in the middle of its way.
+            // A shape shared with a body that deforms, as it was in the middle of its motion.
             self.rest();
             return;
         };
@@ -193,7 +196,7 @@ impl Body {
         }
     }
 
-    /// The body during the substep of `h` seconds that comes; after [`Body::begin`]. `index` is told to touches.
+    /// The body during the coming substep of `h` seconds; after [`Body::begin`]. `index` identifies it in contacts.
     pub fn at(&self, index: u32, h: f64) -> BodyAt<'_> {
         let BodyDef { friction, viscous_friction, group, mask, .. } = self.def;
         BodyAt {
@@ -201,11 +204,11 @@ impl Body {
             viscous_friction,
             group,
             mask,
-            ..BodyAt::new(index, &self.def.shape, self.way.pose, self.way.after(h), self.def.thickness)
+            ..BodyAt::new(index, &self.def.shape, self.motion.pose, self.motion.after(h), self.def.thickness)
         }
     }
 
-    /// Ends what a mesh remembers of the last substep's way.
+    /// Ends the mesh's motion of the last substep.
     pub(crate) fn rest(&mut self) {
         if self.def.shape.mesh().is_some_and(Mesh::is_moving)
             && let Some(mesh) = Arc::make_mut(&mut self.def.shape).deforming_mut()
@@ -214,19 +217,20 @@ impl Body {
         }
     }
 
-    /// The body where it is now, at rest; a mesh as [`Body::rest`] leaves it.
+    /// The body at its present pose, at rest; a mesh as [`Body::rest`] leaves it.
     pub(crate) fn still(&self, index: u32) -> BodyAt<'_> {
         let BodyDef { friction, viscous_friction, group, mask, thickness, .. } = self.def;
         let pose = self.def.pose;
         BodyAt { friction, viscous_friction, group, mask, ..BodyAt::new(index, &self.def.shape, pose, pose, thickness) }
     }
 
-    /// The farthest that something of it is from its pose's origin, m; zero of a shape without end.
+    /// The largest distance of its shape from its pose's origin, m; zero for an infinite shape.
     pub(crate) fn radius(&self) -> f64 {
         radius(&self.def.shape.bounds())
     }
 
-    /// Brings a mesh whose vertices go further than `most` (m) in the coming `dt` seconds to where they go, at once. True if it did.
+    /// Moves a mesh whose vertices travel further than `most` (m) in the coming `dt` seconds to its target at once. True if it
+    /// did.
     pub(crate) fn end_bending_where_it_jumps(&mut self, dt: f64, most: f64) -> bool {
         let Some(bending) = &mut self.bending else { return false };
         let left = if bending.duration > 0.0 { (bending.duration - bending.elapsed).max(0.0) } else { dt };
@@ -241,10 +245,10 @@ impl Body {
         left <= dt
     }
 
-    /// Counts the `h` seconds of a substep.
+    /// Advances its motion by the `h` seconds of a substep.
     pub fn finish(&mut self, h: f64) {
-        self.way.advance(h);
-        self.def.pose = self.way.pose;
+        self.motion.advance(h);
+        self.def.pose = self.motion.pose;
         if let Some(bending) = &mut self.bending {
             bending.elapsed += h;
             if bending.elapsed >= bending.duration * (1.0 - 1e-12) {
@@ -253,7 +257,7 @@ impl Body {
         }
     }
 
-    /// Bytes on the heap but for the shape's.
+    /// Bytes on the heap, without the shape's.
     pub fn heap_bytes(&self) -> usize {
         let of = |bending: &Bending| (bending.from.capacity() + bending.to.capacity()) * size_of::<Vector3<f64>>();
         self.bending.as_deref().map_or(0, |bending| size_of::<Bending>() + of(bending))
@@ -275,7 +279,7 @@ fn radius(bounds: &Bounds) -> f64 {
     if bounds.low.x.is_finite() { corners() } else { 0.0 }
 }
 
-/// A body during a substep: where it starts and where it ends.
+/// A body during a substep.
 #[derive(Debug, Clone, Copy)]
 pub struct BodyAt<'a> {
     /// Its index in the solver.
@@ -294,20 +298,20 @@ pub struct BodyAt<'a> {
     pub viscous_friction: f64,
     /// Groups that it is in.
     pub group: u32,
-    /// Groups that it touches.
+    /// Groups with which it collides.
     pub mask: u32,
-    /// A box around all the places of the shape (not its thickness) during the substep, world.
+    /// A box around the shape (without its thickness) during the substep, world.
     pub bounds: Bounds,
-    /// Angle that it turns by, rad.
+    /// The angle by which it turns, rad.
     pub(super) turn: f64,
-    /// The farthest that something of its shape is from its pose's origin, m; 0 where it has no end.
+    /// The largest distance of its shape from its pose's origin, m; 0 for an infinite shape.
     pub radius: f64,
     pub(super) axes_start: Matrix3<f64>,
     pub(super) axes_end: Matrix3<f64>,
 }
 
 impl<'a> BodyAt<'a> {
-    /// A body that goes from pose to pose.
+    /// A body that moves from pose to pose.
     pub fn new(index: u32, shape: &'a Shape, start: Frame, end: Frame, thickness: f64) -> Self {
         let (axes_start, axes_end) = (*start.rotation.to_rotation_matrix().matrix(), *end.rotation.to_rotation_matrix().matrix());
         let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
@@ -342,13 +346,13 @@ impl<'a> BodyAt<'a> {
         }
     }
 
-    /// The same going from and to other poses.
-    pub fn on_way(&self, [start, end]: [Frame; 2]) -> Self {
+    /// The same with another motion.
+    pub fn with_motion(&self, [start, end]: [Frame; 2]) -> Self {
         let Self { friction, viscous_friction, group, mask, .. } = *self;
         Self { friction, viscous_friction, group, mask, ..Self::new(self.index, self.shape, start, end, self.thickness) }
     }
 
-    /// Half of the least extent of what strands meet, m: what goes by more at once leaves no trace of where it went.
+    /// Half of the shape's least extent, m: a strand passed at once by more shows no trace of it.
     pub fn half_extent(&self) -> f64 {
         let bounds = self.shape.bounds();
         0.5 * (bounds.high - bounds.low).min() + self.thickness
@@ -359,14 +363,14 @@ impl<'a> BodyAt<'a> {
         self.shape.closest(self.axes_end.tr_mul(&(at - self.end.origin)), within)
     }
 
-    /// How deep a point of the world was in the body when the substep began, m, where that is no more than `within`; a mesh that deforms is
-    /// taken as it is at the end.
+    /// The depth of a point of the world in the body when the substep began, m, if it is no more than `within`; a mesh that
+    /// deforms is taken as it is at the end.
     pub fn depth_at_start(&self, at: Vector3<f64>, within: f64) -> f64 {
         let surface = self.shape.closest(self.axes_start.tr_mul(&(at - self.start.origin)), within);
         surface.map_or(0.0, |surface| self.thickness - surface.distance)
     }
 
-    /// Whether it is a mesh whose vertices go their own ways in the substep.
+    /// Whether it is a mesh whose vertices move in the substep.
     pub fn deforms(&self) -> bool {
         self.shape.mesh().is_some_and(Mesh::is_moving)
     }
@@ -376,7 +380,7 @@ impl<'a> BodyAt<'a> {
         self.axes_end * direction
     }
 
-    /// Where a place of its surface is at the substep's end, world.
+    /// The position of a point of its surface at the substep's end, world.
     pub fn surface_at_end(&self, surface: &Surface) -> Vector3<f64> {
         self.end.origin + self.axes_end * surface.point
     }
@@ -386,13 +390,13 @@ impl<'a> BodyAt<'a> {
         self.bounds.grown(self.thickness).meets(around)
     }
 
-    /// Whether it and something of these groups touch.
+    /// Whether it collides with something of these groups and this mask.
     pub fn meets(&self, group: u32, mask: u32) -> bool {
         self.group & mask != 0 && group & self.mask != 0
     }
 
-    /// Whether all that goes straight (in the body's axes) from place to place within a box of the world stays farther than `margin` (m)
-    /// from the shape. False where that is not plain at once. `slack` (m): how far such ways may leave the box.
+    /// Whether all that moves straight (in the body's axes) within a box of the world stays further than `margin` (m) from the
+    /// shape. False where that is not plain at once. `slack` (m): how far such paths may leave the box.
     pub(super) fn is_clear_of(&self, region: &Bounds, margin: f64, slack: f64) -> bool {
         match self.shape.plane() {
             Some(normal) => {
@@ -406,7 +410,7 @@ impl<'a> BodyAt<'a> {
         }
     }
 
-    /// How far the body's material point at a place of its surface goes during the substep, world, m.
+    /// Displacement of the body's material point at a point of its surface during the substep, world, m.
     pub fn carried(&self, surface: &Surface) -> Vector3<f64> {
         let mut before = surface.point;
         if let Some(mesh) = self.shape.mesh()

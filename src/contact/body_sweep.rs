@@ -1,4 +1,4 @@
-//! Where an element of a strand runs into a body on its way through a step (`sweep.rs`, piece by piece).
+//! Collisions of an element with a body during a step (`sweep.rs`, piece by piece).
 
 use nalgebra::Vector3;
 
@@ -6,7 +6,7 @@ use super::ground::{Clear, Ground, Node};
 use super::shape::{Bounds, Kind, Mesh, Patch, Sides, Surface};
 use super::sweep::{Hit, MovingChord, Near, along_nodes, first_hit};
 
-/// Finds where the element's pieces run into the body on their way: arclength and the surface there, as it is at the end.
+/// Finds where the element's pieces run into the body during the step: arclength, and the surface as it is at the end.
 pub(super) fn sweep(ground: &Ground, thickness: f64, nodes: &[Node], hits: &mut Vec<(f64, Surface)>) {
     let level = (0.5 * thickness).max(1e-6);
     for pair in nodes.windows(2) {
@@ -19,7 +19,7 @@ pub(super) fn sweep(ground: &Ground, thickness: f64, nodes: &[Node], hits: &mut 
             }
         }
     }
-    // What is flat may be hit all along: where a piece is hit, its ends are seen to as well.
+    // A flat piece may be hit all along: where a piece is hit, its ends are checked as well.
     let chord_hits = hits.len();
     for (k, node) in nodes.iter().enumerate() {
         let beside = |s: f64| s >= nodes[k.saturating_sub(1)].s && s <= nodes[(k + 1).min(nodes.len() - 1)].s;
@@ -60,7 +60,7 @@ pub(super) fn sweep(ground: &Ground, thickness: f64, nodes: &[Node], hits: &mut 
     }
 }
 
-/// Where a piece that goes straight runs into the body. A half-space has no other side, and a grid is swept by nodes.
+/// Where a piece in straight motion runs into the body. A half-space has no other side, and a grid is swept by nodes.
 fn sweep_chord(ground: &Ground, chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
     match (&ground.body.shape.0, ground.mesh) {
         (_, Some(mesh)) => sweep_mesh(mesh, ground.patch, chord, level),
@@ -74,7 +74,7 @@ fn sweep_chord(ground: &Ground, chord: &MovingChord, level: f64) -> Option<Hit<S
 
 fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
     let one_sided = mesh.sides() != Sides::Both;
-    // All of the piece's ways lie in the hull of its ends' places.
+    // All paths of the piece's points lie in the hull of the positions of its ends.
     let places = [chord.before[0], chord.before[1], chord.after[0], chord.after[1]];
     let swept = Bounds::of_points(places).grown(1.1 * level);
     let mut earliest: Option<Hit<Surface>> = None;
@@ -92,14 +92,14 @@ fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Op
         }
         let latest = earliest.map_or(1.0, |earliest| earliest.time);
         let hit = first_hit(chord, level, latest, |point, time| {
-            let way = if mesh.is_moving() {
+            let offset = if mesh.is_moving() {
                 let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + travel[corner] * time);
                 Mesh::closest_on(&corners, point).1
             } else {
-                triangle.way_to(point)
+                triangle.offset_to(point)
             };
-            let distance = way.norm();
-            let normal = if distance > 0.0 { way / distance } else { *triangle.normal() };
+            let distance = offset.norm();
+            let normal = if distance > 0.0 { offset / distance } else { *triangle.normal() };
             let coming = if mesh.is_moving() {
                 travel.iter().map(|travel| travel.dot(&normal)).fold(f64::NEG_INFINITY, f64::max)
             } else {

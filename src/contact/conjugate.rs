@@ -1,81 +1,81 @@
-//! Sweeps of Gauss–Seidel over a problem's parts side by side, accelerated: nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen,
-//! Niebe and Erleben 2010). What a sweep changes is taken for minus a gradient; part of the last direction is gone again after every sweep. It
-//! costs no product with W: what the directions displace is kept with them.
+//! Gauss–Seidel sweeps over a problem's subdomains side by side, accelerated: nonsmooth nonlinear conjugate gradients
+//! (Silcowitz-Hansen, Niebe and Erleben 2010). The change by a sweep serves as the negative gradient; after every sweep a
+//! fraction of the last direction is added. It costs no product with W: the displacements along directions are kept with them.
 
 use std::ops::{Add, Mul, Sub};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
 use nalgebra::Vector3;
 
-use super::bonds::Bonds;
+use super::bilateral_elimination::BilateralElimination;
 use super::contact_space::ContactSpace;
-use super::parts::{levels, lowest_of};
+use super::subdomains::{levels, lowest_of};
 use super::system::{Displacements, Row, Stretch, System};
 use crate::math::lane::{Kernel, Lane};
 use crate::meter::Meter;
-use crate::workers::{Crew, Team};
+use crate::workers::{Team, WorkerSet};
 
 /// The iteration's memory.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Conjugate {
-    forces: Past<Vector3<f64>>,
-    /// What the directions displace.
-    displacements: Past<f64>,
+    forces: Kept<Vector3<f64>>,
+    /// Displacements along the directions.
+    displacements: Kept<f64>,
     /// |gradient|² of the last sweep; zero: none yet.
     square: f64,
 }
 
 /// What is kept of a list.
 #[derive(Debug, Clone, Default)]
-struct Past<T> {
+struct Kept<T> {
     /// Its values before the last sweep.
     before: Vec<T>,
     /// The last direction.
     direction: Vec<T>,
 }
 
-/// A part's share of a list, and of what is kept of it.
-struct Share<'a, T> {
+/// A subdomain's section of a list, and of what is kept of it.
+struct Section<'a, T> {
     now: &'a mut [T],
     before: &'a mut [T],
     direction: &'a mut [T],
 }
 
-/// The coordinates of a part of the lowest level.
+/// The coordinates of a lowest subdomain.
 struct Coordinates<'a> {
     /// The first one among all.
     from: usize,
-    displacements: Share<'a, f64>,
+    displacements: Section<'a, f64>,
 }
 
-/// The touches of a part.
-struct Touches<'a> {
+/// The contacts of a subdomain.
+struct Contacts<'a> {
     rows: &'a mut [Row],
-    forces: Share<'a, Vector3<f64>>,
-    /// What it adds to |gradient|².
+    forces: Section<'a, Vector3<f64>>,
+    /// Its contribution to |gradient|².
     square: f64,
 }
 
-/// What the parts of a level are to do.
+/// The work of a level's subdomains.
 #[derive(Clone, Copy)]
 struct Turn {
     level: usize,
-    /// The level's first part.
+    /// The level's first subdomain.
     first: usize,
-    /// What comes after the last sweep, first.
+    /// What follows after the last sweep, first.
     after: AfterSweep,
     /// Whether the sweep is one of the accelerated ones.
     kept: bool,
 }
 
-/// What comes after a sweep.
+/// What follows after a sweep.
 #[derive(Clone, Copy)]
 enum AfterSweep {
-    /// Nothing: it stays as it is.
+    /// Nothing.
     Nothing,
-    /// This share of the last direction is gone again.
+    /// This fraction of the last direction is added.
     Along(f64),
-    /// It was no descent: the next begins anew from where it led.
+    /// It was no descent: the next direction starts afresh.
     Restart,
 }
 
@@ -87,8 +87,8 @@ impl Conjugate {
         self.square = 0.0;
     }
 
-    /// So many accelerated sweeps, and one that is not: what the directions left outside the laws comes back. By a crew: the same bits. Where
-    /// `meter` halts them there are fewer.
+    /// A number of accelerated sweeps, and one that is not, which brings back what the directions moved outside the laws. By
+    /// workers: the same bits. If `meter` halts them there are fewer.
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, and who works for how long")]
     pub(super) fn sweeps<S: Default + Send>(
         &mut self,
@@ -96,34 +96,34 @@ impl Conjugate {
         system: &mut System,
         forces: &mut [Vector3<f64>],
         sweeps: u32,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) {
-        let System { rows, displacements, bonds, .. } = system;
-        let (parts, bonds) = (space.parts(), &*bonds);
+        let System { rows, displacements, bilateral, .. } = system;
+        let (subdomains, bilateral) = (space.subdomains(), &*bilateral);
         let all = [displacements.len(), rows.len()];
         let mut from = 0;
-        let coordinates = self.displacements.shares(displacements, || parts.coordinate_ends(all[0]));
+        let coordinates = self.displacements.sections(displacements, || subdomains.coordinate_ends(all[0]));
         let coordinates = coordinates.map(|displacements| {
             let end = from + displacements.now.len();
             Mutex::new(Coordinates { from: std::mem::replace(&mut from, end), displacements })
         });
         let coordinates: Vec<_> = coordinates.collect();
-        let forces = self.forces.shares(forces, || parts.touch_ends(all[1]));
-        let touches = split(rows, parts.touch_ends(all[1])).zip(forces);
-        let touches: Vec<_> = touches.map(|(rows, forces)| Mutex::new(Touches { rows, forces, square: 0.0 })).collect();
+        let forces = self.forces.sections(forces, || subdomains.constraint_ends(all[1]));
+        let constraints = split(rows, subdomains.constraint_ends(all[1])).zip(forces);
+        let constraints: Vec<_> = constraints.map(|(rows, forces)| Mutex::new(Contacts { rows, forces, square: 0.0 })).collect();
 
         let turn = RwLock::new(Turn { level: 0, first: 0, after: AfterSweep::Nothing, kept: true });
         let sweep = |k: usize| {
             let turn = *turn.read().unwrap_or_else(PoisonError::into_inner);
-            let touches = &mut *lock(&touches[turn.first + k]);
+            let constraints = &mut *lock(&constraints[turn.first + k]);
             let own = &coordinates[lowest_of(turn.level, k)];
             if turn.level == 0 {
                 let Coordinates { from, displacements } = &mut *lock(&own[0]);
                 displacements.begin(turn);
-                touches.sweep(space, bonds, Stretch { from: *from, values: displacements.now }, turn);
+                constraints.sweep(space, bilateral, Stretch { from: *from, values: displacements.now }, turn);
             } else {
-                touches.sweep(space, bonds, Several(own.iter().map(lock).collect()), turn);
+                constraints.sweep(space, bilateral, Several(own.iter().map(lock).collect()), turn);
             }
         };
         let mut last = self.square;
@@ -134,49 +134,50 @@ impl Conjugate {
                     break;
                 }
                 let kept = sweep < sweeps;
-                for (level, parts) in levels(parts.lowest()).enumerate() {
-                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: parts.start, after, kept };
-                    team.each(parts.len());
+                for (level, subdomains) in levels(subdomains.lowest()).enumerate() {
+                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: subdomains.start, after, kept };
+                    team.each(subdomains.len());
                 }
                 if kept {
-                    let square: f64 = touches.iter().map(|part| lock(part).square).sum();
-                    let share = if last > 0.0 { square / last } else { 0.0 };
-                    (after, last) = if share > 1.0 { (AfterSweep::Restart, 0.0) } else { (AfterSweep::Along(share), square) };
+                    let square: f64 = constraints.iter().map(|part| lock(part).square).sum();
+                    let fraction = if last > 0.0 { square / last } else { 0.0 };
+                    (after, last) =
+                        if fraction > 1.0 { (AfterSweep::Restart, 0.0) } else { (AfterSweep::Along(fraction), square) };
                 }
             }
         };
-        crew.together(parts.lowest(), &sweep, lead);
+        workers.together(subdomains.lowest(), &sweep, lead);
         self.square = last;
     }
 }
 
-impl<T: Copy + Default> Past<T> {
+impl<T: Copy + Default> Kept<T> {
     fn restart(&mut self, count: usize) {
         self.before.resize(count, T::default());
         self.direction.clear();
         self.direction.resize(count, T::default());
     }
 
-    /// The list and what is kept of it, part by part.
-    fn shares<'a, I: Iterator<Item = usize> + 'a>(
+    /// The list and what is kept of it, subdomain by subdomain.
+    fn sections<'a, I: Iterator<Item = usize> + 'a>(
         &'a mut self,
         now: &'a mut [T],
         ends: impl Fn() -> I,
-    ) -> impl Iterator<Item = Share<'a, T>> {
+    ) -> impl Iterator<Item = Section<'a, T>> {
         let before = split(&mut self.before, ends()).zip(split(&mut self.direction, ends()));
-        split(now, ends()).zip(before).map(|(now, (before, direction))| Share { now, before, direction })
+        split(now, ends()).zip(before).map(|(now, (before, direction))| Section { now, before, direction })
     }
 }
 
-impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Share<'_, T> {
+impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Section<'_, T> {
     /// Ends the last sweep, and keeps the values as they are before the next.
     fn begin(&mut self, turn: Turn) {
         match turn.after {
             AfterSweep::Nothing => {}
-            AfterSweep::Along(share) => {
+            AfterSweep::Along(fraction) => {
                 for ((now, old), direction) in self.now.iter_mut().zip(&*self.before).zip(&mut *self.direction) {
                     let change = *now - *old;
-                    let before = *direction * share;
+                    let before = *direction * fraction;
                     *now = *now + before;
                     *direction = before + change;
                 }
@@ -189,11 +190,11 @@ impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T
     }
 }
 
-impl Touches<'_> {
-    fn sweep(&mut self, space: &ContactSpace, bonds: &Bonds, displacements: impl Displacements, turn: Turn) {
+impl Contacts<'_> {
+    fn sweep(&mut self, space: &ContactSpace, bilateral: &BilateralElimination, displacements: impl Displacements, turn: Turn) {
         let Self { rows, forces, square } = self;
         forces.begin(turn);
-        f64::call(Sweep { space, bonds, rows, forces: forces.now, displacements });
+        f64::call(Sweep { space, bilateral, rows, forces: forces.now, displacements });
         if turn.kept {
             *square = forces.now.iter().zip(&*forces.before).map(|(new, old)| (new - old).norm_squared()).sum();
         }
@@ -203,7 +204,7 @@ impl Touches<'_> {
 /// A sweep over some rows.
 struct Sweep<'a, D> {
     space: &'a ContactSpace,
-    bonds: &'a Bonds,
+    bilateral: &'a BilateralElimination,
     rows: &'a mut [Row],
     forces: &'a mut [Vector3<f64>],
     displacements: D,
@@ -213,7 +214,7 @@ impl<D: Displacements> Kernel for Sweep<'_, D> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { space, bonds, rows, forces, mut displacements } = self;
+        let Self { space, bilateral, rows, forces, mut displacements } = self;
         for (row, force) in rows.iter_mut().zip(forces) {
             let old = *force;
             let u = row.relative(&displacements);
@@ -221,19 +222,19 @@ impl<D: Displacements> Kernel for Sweep<'_, D> {
             let change = new - old;
             if change != Vector3::zeros() {
                 *force = new;
-                row.push(space, bonds, &change, &mut displacements);
+                row.push(space, bilateral, &change, &mut displacements);
             }
         }
     }
 }
 
-/// Those of several parts of the lowest level, in order.
+/// The coordinates of several lowest subdomains, in order.
 struct Several<'a, 'b>(Vec<MutexGuard<'a, Coordinates<'b>>>);
 
 impl Several<'_, '_> {
-    /// Which of the parts has a coordinate.
+    /// The subdomain that has a coordinate.
     #[inline(always)]
-    fn part_of(&self, at: usize) -> usize {
+    fn subdomain_of(&self, at: usize) -> usize {
         (1..self.0.len()).rev().find(|k| self.0[*k].from <= at).unwrap_or(0)
     }
 }
@@ -241,19 +242,19 @@ impl Several<'_, '_> {
 impl Displacements for Several<'_, '_> {
     #[inline(always)]
     fn rest(&self, at: usize) -> &[f64] {
-        let part = &self.0[self.part_of(at)];
+        let part = &self.0[self.subdomain_of(at)];
         &part.displacements.now[at - part.from..]
     }
 
     #[inline(always)]
     fn rest_mut(&mut self, at: usize) -> &mut [f64] {
-        let part = self.part_of(at);
+        let part = self.subdomain_of(at);
         let Coordinates { from, displacements } = &mut *self.0[part];
         &mut displacements.now[at - *from..]
     }
 }
 
-/// A list in pieces that end there.
+/// A list in pieces with these ends.
 fn split<'a, T>(mut list: &'a mut [T], ends: impl Iterator<Item = usize> + 'a) -> impl Iterator<Item = &'a mut [T]> {
     let mut from = 0;
     ends.map(move |end| {

@@ -1,37 +1,37 @@
-//! The problem in contact space: how the touched points of every strand answer to forces, and which touches there are.
+//! The contact-space problem: the strands' responses at their attached points, and the constraints between these.
 
 use std::fmt::Display;
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::law::Law;
-use super::parts::Parts;
+use super::subdomains::Subdomains;
 use crate::error::{Error, Result, check_finite, check_positive};
 
-/// A touched point of a strand: a place, or the rotation at a place.
+/// An attached point of a strand: a position, or the rotation at a position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct End {
     /// Index of the strand in the problem.
     pub strand: u32,
-    /// Index of the point among the strand's touched points.
+    /// Index of the point among the strand's attached points.
     pub point: u32,
 }
 
-/// One touch.
+/// One constraint.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpaceTouch {
+pub struct SpaceConstraint {
     /// Where +λ acts.
     pub first: End,
-    /// Where −λ acts; none where the partner is a body or the world.
+    /// Where −λ acts; `None` where the partner is a body or the world.
     pub second: Option<End>,
-    /// What it obeys.
+    /// Its law.
     pub law: Law,
-    /// The relative displacement over the step that there would be without any touch's force, world axes, m (between rotations rad). Its
-    /// part along a contact's normal is the gap that there would be.
-    pub free: Vector3<f64>,
+    /// The relative displacement over the step without any constraint force, world axes, m (between rotations rad). Its
+    /// component along a contact's normal is the gap.
+    pub unconstrained: Vector3<f64>,
 }
 
-/// The strands' responses and the touches. Its memory is kept from one use to the next.
+/// The strands' responses and the constraints. Its memory is kept from one use to the next.
 #[derive(Debug, Clone, Default)]
 pub struct ContactSpace {
     step: f64,
@@ -39,8 +39,8 @@ pub struct ContactSpace {
     /// Strand after strand, each a symmetric matrix of (3 points)² numbers.
     response: Vec<f64>,
     coordinates: usize,
-    touches: Vec<SpaceTouch>,
-    parts: Parts,
+    constraints: Vec<SpaceConstraint>,
+    subdomains: Subdomains,
 }
 
 /// Where a strand's numbers are.
@@ -50,26 +50,26 @@ pub(super) struct StrandBlock {
     pub(super) size: usize,
     /// Its first coordinate among all strands'.
     pub(super) base: usize,
-    /// Its matrix's place.
+    /// Start of its matrix.
     pub(super) matrix: usize,
 }
 
 impl ContactSpace {
-    /// Begins a new problem for a step of `step` seconds (above zero), without strands or touches.
+    /// Begins a new problem for a step of `step` seconds (above zero), without strands or constraints.
     pub fn reset(&mut self, step: f64) -> Result<()> {
         check_positive(|| "step".into(), step)?;
         self.step = step;
         self.strands.clear();
         self.response.clear();
-        self.touches.clear();
-        self.parts.clear();
+        self.constraints.clear();
+        self.subdomains.clear();
         self.coordinates = 0;
         Ok(())
     }
 
-    /// Adds a strand with that many touched points and gives its matrix G, all zero, to be filled in: displacement of coordinate i (three a
-    /// point, world axes, m or rad) per unit of force at coordinate j (N or N·m) at `i + j * 3 * points`. It must be symmetric up to rounding
-    /// and positive semidefinite.
+    /// Adds a strand with this number of attached points and returns its matrix G, all zero, to be filled in: displacement of
+    /// coordinate i (three per point, world axes, m or rad) per unit of force at coordinate j (N or N·m) at `i + j * 3 *
+    /// points`. It must be symmetric up to rounding and positive semidefinite.
     pub fn add_strand(&mut self, points: usize) -> &mut [f64] {
         let (size, matrix) = (3 * points, self.response.len());
         self.strands.push(StrandBlock { size, base: self.coordinates, matrix });
@@ -78,40 +78,40 @@ impl ContactSpace {
         &mut self.response[matrix..]
     }
 
-    /// Adds a touch. Errors: an end that is not among the strands' points, two ends that are the same, a free displacement that is not finite,
-    /// a law with a number out of its range.
-    pub fn add_touch(&mut self, touch: SpaceTouch) -> Result<()> {
-        let index = self.touches.len();
-        self.check_end(format_args!("touches[{index}].first"), touch.first)?;
-        if let Some(second) = touch.second {
-            self.check_end(format_args!("touches[{index}].second"), second)?;
-            if second == touch.first {
+    /// Adds a constraint. Errors: an end that is not among the strands' points, two equal ends, an unconstrained displacement
+    /// that is not finite, a law with a number out of range.
+    pub fn add_constraint(&mut self, constraint: SpaceConstraint) -> Result<()> {
+        let index = self.constraints.len();
+        self.check_end(format_args!("constraints[{index}].first"), constraint.first)?;
+        if let Some(second) = constraint.second {
+            self.check_end(format_args!("constraints[{index}].second"), second)?;
+            if second == constraint.first {
                 let value = format!("strand {} point {}", second.strand, second.point);
-                return Err(Error::invalid(format!("touches[{index}].second"), value, "another point than the first"));
+                return Err(Error::invalid(format!("constraints[{index}].second"), value, "another point than the first"));
             }
         }
         for i in 0..3 {
-            check_finite(|| format!("touches[{index}].free[{i}]"), touch.free[i])?;
+            check_finite(|| format!("constraints[{index}].unconstrained[{i}]"), constraint.unconstrained[i])?;
         }
-        touch.law.check(format_args!("touches[{index}].law"))?;
-        self.touches.push(touch);
+        constraint.law.check(format_args!("constraints[{index}].law"))?;
+        self.constraints.push(constraint);
         Ok(())
     }
 
-    /// Says which touches may be swept side by side, once all is added, and where there are no bonds: where the strands of every part of the
-    /// lowest level end, and the touches of every part ([`Parts`]).
-    pub(super) fn part(&mut self, strand_ends: &[usize], touch_ends: &[usize]) {
-        // (One part is what a problem is anyhow, and may have bonds.)
+    /// Sets the subdomains that may be swept side by side, after all is added, in problems without bilateral constraints: the
+    /// ends of the strands of every lowest subdomain, and of the constraints of every subdomain ([`Subdomains`]).
+    pub(super) fn part(&mut self, strand_ends: &[usize], constraint_ends: &[usize]) {
+        // (A problem is one subdomain anyhow, and may then have bilateral constraints.)
         if strand_ends.len() == 1 {
             return;
         }
         let coordinates = |strands: &usize| self.strands.get(*strands).map_or(self.coordinates, |block| block.base);
-        self.parts.set(strand_ends.iter().map(coordinates), touch_ends);
+        self.subdomains.set(strand_ends.iter().map(coordinates), constraint_ends);
     }
 
     /// See [`ContactSpace::part`].
-    pub(super) fn parts(&self) -> &Parts {
-        &self.parts
+    pub(super) fn subdomains(&self) -> &Subdomains {
+        &self.subdomains
     }
 
     fn check_end(&self, argument: impl Display, end: End) -> Result<()> {
@@ -131,12 +131,12 @@ impl ContactSpace {
         self.step
     }
 
-    /// How many strands there are.
+    /// The number of strands.
     pub fn strands(&self) -> usize {
         self.strands.len()
     }
 
-    /// How many touched points a strand has.
+    /// The number of a strand's attached points.
     pub fn points(&self, strand: usize) -> usize {
         self.strands[strand].size / 3
     }
@@ -147,17 +147,18 @@ impl ContactSpace {
         &self.response[block.matrix..block.matrix + block.size * block.size]
     }
 
-    /// The touches in the order in which they were added.
-    pub fn touches(&self) -> &[SpaceTouch] {
-        &self.touches
+    /// The constraints in the order in which they were added.
+    pub fn constraints(&self) -> &[SpaceConstraint] {
+        &self.constraints
     }
 
-    /// Changes a touch's free displacement (finite), law and all else kept: the next Newton iteration's problem.
-    pub fn set_free(&mut self, touch: usize, free: Vector3<f64>) -> Result<()> {
+    /// Changes a constraint's unconstrained displacement (finite) and keeps its law and all else: the next Newton iteration's
+    /// problem.
+    pub fn set_unconstrained(&mut self, constraint: usize, unconstrained: Vector3<f64>) -> Result<()> {
         for i in 0..3 {
-            check_finite(|| format!("free[{i}]"), free[i])?;
+            check_finite(|| format!("unconstrained[{i}]"), unconstrained[i])?;
         }
-        self.touches[touch].free = free;
+        self.constraints[constraint].unconstrained = unconstrained;
         Ok(())
     }
 
@@ -174,14 +175,14 @@ impl ContactSpace {
         self.coordinates
     }
 
-    /// The displacements of all touched points under the touches' forces `forces`, three coordinates a point, strand after strand: by the
-    /// whole matrices, without what a solver keeps up to date.
+    /// The displacements of all attached points under the constraints' `forces`, three coordinates per point, strand after
+    /// strand: by the full matrices, without what a solver keeps up to date.
     pub fn displacements(&self, forces: &[Vector3<f64>], out: &mut Vec<f64>) {
         out.clear();
         out.resize(self.coordinates, 0.0);
-        for (touch, force) in self.touches.iter().zip(forces) {
-            self.push(touch.first, force, out);
-            if let Some(second) = touch.second {
+        for (constraint, force) in self.constraints.iter().zip(forces) {
+            self.push(constraint.first, force, out);
+            if let Some(second) = constraint.second {
                 self.push(second, &-force, out);
             }
         }
@@ -193,19 +194,19 @@ impl ContactSpace {
         add_columns(&self.response[columns..], force, &mut out[block.base..block.base + block.size]);
     }
 
-    /// The relative displacement of a touch where the points are displaced by `displacements`, its free one with it.
-    pub fn relative(&self, touch: usize, displacements: &[f64]) -> Vector3<f64> {
-        let touch = &self.touches[touch];
+    /// The relative displacement of a constraint under these `displacements` of the points, including its unconstrained one.
+    pub fn relative(&self, constraint: usize, displacements: &[f64]) -> Vector3<f64> {
+        let constraint = &self.constraints[constraint];
         let at = |end: End| self.block(end.strand as usize).base + 3 * end.point as usize;
-        let mut u = touch.free + read(displacements, at(touch.first));
-        if let Some(second) = touch.second {
+        let mut u = constraint.unconstrained + read(displacements, at(constraint.first));
+        if let Some(second) = constraint.second {
             u -= read(displacements, at(second));
         }
         u
     }
 }
 
-/// The vector at a place of a list of coordinates.
+/// The vector at a position of a list of coordinates.
 #[inline(always)]
 pub(super) fn read(values: &[f64], at: usize) -> Vector3<f64> {
     let v = &values[at..at + 3];
@@ -217,7 +218,7 @@ pub(super) fn read_block(matrix: &[f64], size: usize, row: usize, column: usize)
     Matrix3::from_fn(|i, j| matrix[(column + j) * size + row + i])
 }
 
-/// Adds three columns of a matrix, `out.len()` numbers each and one after the other, times the parts of `force`.
+/// Adds three columns of a matrix, `out.len()` numbers each and one after the other, times the components of `force`.
 #[inline(always)]
 pub(super) fn add_columns(columns: &[f64], force: &Vector3<f64>, out: &mut [f64]) {
     let size = out.len();

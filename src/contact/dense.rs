@@ -3,7 +3,8 @@
 use crate::math::lane::{Kernel, Lane};
 use crate::meter::Meter;
 
-/// So many columns are eliminated before the rest of the matrix is: each of its numbers is then read and written once for all of them.
+/// This many columns are eliminated before the rest of the matrix is: each of its numbers is then read and written once for all
+/// of them.
 const PANEL: usize = 8;
 /// A system of more rows than this takes a while.
 const LARGE: usize = 200;
@@ -69,7 +70,7 @@ fn eliminate(a: &mut [f64], b: &mut [f64], from: usize, to: usize) -> bool {
             b.swap(k, best);
         }
         let pivot = a[k * n + k];
-        // Not a number neither.
+        // Neither a number.
         if pivot.is_nan() || pivot == 0.0 {
             return false;
         }
@@ -180,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn a_singular_matrix_is_told() {
+    fn a_singular_matrix_is_reported() {
         let n = 20;
         let mut a: Vec<f64> = (0..n * n).map(|k| ((k / n) % 5) as f64 + (k % n) as f64).collect();
         assert!(!solve(&mut a, &mut vec![1.0; n], &Meter::unlimited()));

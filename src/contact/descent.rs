@@ -1,4 +1,4 @@
-//! The minimum of a distance along a curve between two places where it falls and rises.
+//! The minimum of a distance along a curve between a point where it falls and one where it rises.
 
 /// A value and slope somewhere along a curve, and what was found there.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,7 @@ pub(super) fn bracketed<T: Copy>(
     for turn in 0..48 {
         let (span, rise) = (b.s - a.s, b.slope - a.slope);
         let cut = (a.value - b.value + b.slope * span) / rise;
-        // Tangents of a convex function meet between the ends; else nothing is told but by the slopes.
+        // Tangents of a convex function meet between the ends; otherwise only the slopes are of use.
         let convex = cut >= 0.0 && cut <= span;
         let below = if convex { best.value - (a.value + a.slope * cut) } else { span * b.slope.max(-a.slope) };
         if rise <= 0.0 || turn > 0 && below <= tolerance {

@@ -1,26 +1,27 @@
-//! Touches that have no part in an island's contact problems for a while. Of what searches find three quarters press nothing in the end; in the
-//! strands' models (whose Delassus operators grow with the square of their touches) and in sweeps they cost as much as those that do.
+//! Dormant contacts, left out of an island's contact problems for a while. Of the contacts found by searches three quarters
+//! press nothing in the end. In the strands' models, whose Delassus operators grow with the square of the number of contacts,
+//! and in sweeps they would cost as much as the others.
 
 use nalgebra::Vector3;
 
-use super::held_strand::HeldStrand;
+use super::constrained_strand::ConstrainedStrand;
 use super::island::{Island, is_nearly_outside, is_outside};
-use super::joint::{Give, Joint, Standing};
 use super::law::Law;
 use super::options::ContactOptions;
+use super::step_constraint::{Give, Standing, StepConstraint};
 
-/// A touch sleeps where its surfaces are further apart than so many times what they moved against each other in the iteration: the next ones are
-/// shorter.
+/// A contact becomes dormant if its surfaces are further apart than this many times their relative motion in the iteration: the
+/// next ones are shorter.
 const ASIDE: f64 = 1.0;
 
-impl Joint {
-    /// Whether a strand at its ends takes part in the iteration.
-    pub(super) fn moves(&self, strands: &[HeldStrand]) -> bool {
-        self.ends().any(|end| !strands[end.held as usize].resting)
+impl StepConstraint {
+    /// Whether a strand at one of its ends takes part in the iteration.
+    pub(super) fn moves(&self, strands: &[ConstrainedStrand]) -> bool {
+        self.ends().any(|end| !strands[end.strand as usize].resting)
     }
 
-    /// After an iteration that took its surfaces to `u` and by `moved` (m) nearer or apart: lets it sleep if nothing presses it and it is out of
-    /// reach.
+    /// After an iteration that took its surfaces to `u` and moved them by `moved` (m): makes it dormant if nothing presses it
+    /// and it is out of reach.
     pub(super) fn may_sleep(&mut self, law: &Law, u: &Vector3<f64>, moved: f64) {
         let Law::Contact(contact) = law else { return };
         let free = self.force == Vector3::zeros() && !(self.deep || self.give != Give::No || self.roused);
@@ -31,9 +32,9 @@ impl Joint {
 }
 
 impl Island {
-    /// Wakes a touch that sleeps where its surfaces have met, for the rest of the step.
-    pub(super) fn rouse(&mut self, index: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) {
-        if !self.joints[index].moves(strands) {
+    /// Wakes a dormant contact whose surfaces have met, for the rest of the step.
+    pub(super) fn rouse(&mut self, index: usize, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
+        if !self.constraints[index].moves(strands) {
             return;
         }
         let (law, u) = self.evaluate(index, strands, options, step);
@@ -42,11 +43,11 @@ impl Island {
         if gap >= 0.0 {
             return;
         }
-        let joint = &mut self.joints[index];
-        (joint.dormant, joint.roused) = (false, true);
-        // What springs hold they hold in no way yet.
+        let constraint = &mut self.constraints[index];
+        (constraint.dormant, constraint.roused) = (false, true);
+        // A dormant spring exerts no force yet.
         let soft = options.model.is_soft();
         let holds = !soft && is_outside(gap, options);
-        joint.standing = Standing { holds, nearly: soft || is_nearly_outside(gap, options), ..joint.standing };
+        constraint.standing = Standing { holds, nearly: soft || is_nearly_outside(gap, options), ..constraint.standing };
     }
 }

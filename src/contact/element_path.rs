@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::body::BodyAt;
-use super::touch::StrandCurve;
+use super::contact_point::StrandCurve;
 use crate::math::entire::Stumpff;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
@@ -83,7 +83,7 @@ impl ElementPath {
         }
     }
 
-    /// A ball that holds all the element's points on their straight ways from start to now: an arc lies within half its length of the
+    /// A ball around all straight paths of the element's points from start to now: an arc lies within half its length of the
     /// middle of its ends.
     pub fn ball(&self) -> (Vector3<f64>, f64) {
         let (before, after) = (0.5 * (self.start.left() + self.start.right()), 0.5 * (self.now.left() + self.now.right()));

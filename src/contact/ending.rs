@@ -1,35 +1,37 @@
-//! How islands' iterations end; what is tried where one does not come to its end; and how those that have ended are left so while others,
-//! made anew by what a later search finds, go on.
+//! How islands' iterations end: further attempts for islands that have not converged, and ended islands that stay as they are
+//! while others go on with new contacts.
 
 use nalgebra::Vector3;
 
-use super::held_strand::HeldStrand;
+use super::constrained_strand::ConstrainedStrand;
 use super::island::{ENOUGH_TURN, FEW, Island, LOOKS};
-use super::joint::{Give, Joint, Standing};
 use super::options::ContactOptions;
+use super::step_constraint::{Give, Standing, StepConstraint};
 use crate::meter::Stopped;
 
-/// Where forces grew beyond measure, strands with forces beyond this many times what takes a strand its own length in a step are astray.
+/// Where forces have grown beyond measure, strands have diverged whose forces exceed this many times the force that moves a
+/// strand by its own length in a step.
 const LARGE: f64 = 1e2;
 
-/// How often joints are relaxed at most: of strands that are astray; and of their neighbours too. (Penalties relax all at once.)
+/// The largest number of relaxations: first of diverged strands, then of their neighbours too. (With penalties all are relaxed
+/// at once.)
 const RELAXINGS: u32 = 2;
 
-/// How an island is tried to come to an end.
+/// An attempt to make an island converge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Attempt {
-    /// All joints are to hold.
+    /// No constraint yields.
     #[default]
     Whole,
-    /// Some touches give way, from where the first attempt came to, see [`Give`].
+    /// Some contacts yield, see [`Give`]; the iteration goes on from the end of the first attempt.
     Yielding,
-    /// The same from the step's start.
-    YieldingAnew,
-    /// All joints of the strands that are astray give way by more, from the step's start; then those of their neighbours too.
+    /// Some contacts yield, from the start of the step.
+    YieldingFromStart,
+    /// All constraints of diverged strands yield more, from the start of the step; then those of their neighbours too.
     Relaxed,
 }
 
-/// What follows where an island has ended.
+/// What follows after an island has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Next {
     /// Nothing: it stays as it ended.
@@ -40,32 +42,32 @@ pub enum Next {
     BeginsAgain,
 }
 
-/// How an island's iteration ended: all that is told of it.
+/// How an island's iteration ended, as reported.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ending {
-    /// Where it should.
+    /// It converged with no constraint yielding.
     pub converged: bool,
-    /// How it was tried to come to an end.
+    /// The attempt.
     pub attempt: Attempt,
-    /// Whether that came to its end, whatever gave way for it.
-    pub came_to_end: bool,
-    /// It has not come to its end, but is near enough to stay as it is.
+    /// The attempt converged, whatever yielded.
+    pub attempt_converged: bool,
+    /// It has not converged, but is close enough to stay as it is.
     pub good_enough: bool,
-    /// Not even so: strands of it stay as the step found them, see [`Island::has_lost`].
-    pub lost: bool,
-    /// Why it was ended before its end, if so.
+    /// It has diverged: some of its strands stay as they were when the step began, see [`Island::has_diverged`].
+    pub diverged: bool,
+    /// Why the iteration was stopped early, if it was.
     pub stopped: Stopped,
     /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
     pub residual: f64,
 }
 
 impl Island {
-    /// How it ended, if it has, and no other attempt is to follow.
+    /// How it ended, if it has ended and no further attempt follows.
     pub fn ended(&self) -> Option<Ending> {
         (self.done && !self.is_to_be_tried_again()).then_some(self.ending)
     }
 
-    /// Ends it where it is, unless it is at its end.
+    /// Ends it where it is, unless it has converged.
     pub fn stop(&mut self, why: Stopped) {
         if self.done && !self.rough && !self.is_to_be_tried_again() {
             return;
@@ -74,73 +76,75 @@ impl Island {
         (self.ending.converged, self.ending.stopped) = (false, why);
     }
 
-    /// The search for what its strands touch was halted: they may be anywhere, whatever their end.
+    /// The search for its strands' contacts was halted: undetected contacts are possible, however the iteration ended.
     pub fn interrupt(&mut self, why: Stopped) {
         self.stop(why);
         (self.ending.converged, self.ending.stopped) = (false, why);
     }
 
-    /// Refuses the end of touches' strands that have strayed, and with it the island's: they are lost where the substep is not taken in parts.
-    pub fn refuse_strays(&mut self, strands: &mut [HeldStrand], step: f64) {
-        if self.ending.stopped != Stopped::No || !self.has_touches() || self.is_constrained() {
+    /// Rejects the end of strands in contact whose energy has risen, and with it that of the island: it counts as diverged
+    /// unless it takes the substep in substeps.
+    pub fn reject_risen(&mut self, strands: &mut [ConstrainedStrand], step: f64) {
+        if self.ending.stopped != Stopped::No || !self.has_contacts() || self.has_bilateral() {
             return;
         }
-        for held in &self.strands {
-            let held = &mut strands[*held as usize];
-            if held.has_strayed(step) {
-                held.residual = f64::INFINITY;
-                (self.ending.converged, self.ending.came_to_end, self.ending.good_enough) = (false, false, false);
-                self.ending.lost = true;
+        for strand in &self.strands {
+            let strand = &mut strands[*strand as usize];
+            if strand.has_risen(step) {
+                strand.residual = f64::INFINITY;
+                (self.ending.converged, self.ending.attempt_converged, self.ending.good_enough) = (false, false, false);
+                self.ending.diverged = true;
             }
         }
     }
 
-    /// Goes on from where it is: a strand of it has been moved.
+    /// Goes on from where it is: one of its strands has been moved.
     pub fn go_on(&mut self) {
-        (self.done, self.ending.came_to_end, self.ending.converged, self.rest) = (false, false, false, -1.0);
+        (self.done, self.ending.attempt_converged, self.ending.converged, self.rest) = (false, false, false, -1.0);
         self.begin_to_count(self.iterations);
     }
 
-    /// Leaves it as it ended: made anew, it is the same, and would end there again.
+    /// Leaves it as it ended: nothing in it has changed, and it would end the same way.
     pub fn keep(&mut self, ending: Ending) {
         (self.done, self.ending) = (true, ending);
     }
 
-    /// Whether joints of it give way that could not be held, constraints too.
+    /// Whether its constraints yield, bilateral ones too.
     pub fn is_relaxed(&self) -> bool {
         self.ending.attempt == Attempt::Relaxed
     }
 
-    /// Whether its iteration ended elsewhere than it should.
+    /// Whether it ended without converging.
     pub fn failed(&self) -> bool {
         self.done && !self.ending.converged
     }
 
-    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way, and would be dear to solve again.
+    /// Whether no more work is spent on it: it has not converged, or only by yielding, and another solve would be expensive.
     pub fn is_given_up(&self) -> bool {
-        let dear = self.is_constrained() || self.strands.len() > FEW;
+        let dear = self.has_bilateral() || self.strands.len() > FEW;
         self.failed() && (self.is_relaxed() && dear || !self.ending.good_enough)
     }
 
-    /// Whether there is to be another attempt, see [`Island::try_again`].
+    /// Whether another attempt follows, see [`Island::try_again`].
     pub fn is_to_be_tried_again(&self) -> bool {
         let goes_on = self.ending.stopped == Stopped::No && !self.ending.good_enough;
         let is_last = self.is_relaxed() && self.relaxings >= RELAXINGS;
-        self.failed() && goes_on && !is_last && !self.joints.is_empty()
+        self.failed() && goes_on && !is_last && !self.constraints.is_empty()
     }
 
-    /// Another attempt, if its joints were not to be held. First, if they are touches without springs of their own, those of strands alone give
-    /// way that did not come to their end; mostly these are one to five of hundreds. It goes on from where it is, or, where forces grew beyond measure,
-    /// begins again. Then all joints of such strands give way by more, from the start, and of their neighbours where that does not do: what contradicts
-    /// itself, or is out of a strand's reach, is drawn as near as it goes. The others hold and rub as ever.
-    pub fn try_again(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Next {
+    /// Begins another attempt if the last one failed. First, in the hard models, only the contacts of unconverged strands
+    /// yield, mostly one to five of hundreds. The iteration goes on from where it is, or begins again if forces have grown
+    /// beyond measure. Then all constraints of such strands yield more, from the start of the step, and those of their
+    /// neighbours if that is not enough: contradictory constraints, or targets out of a strand's reach, are satisfied as well
+    /// as possible. The other constraints stay exact, with friction.
+    pub fn try_again(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) -> Next {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
         let may_yield = matches!(self.ending.attempt, Attempt::Whole | Attempt::Yielding);
-        let forgives = may_yield && !options.model.is_soft() && !self.is_constrained() && self.let_some_yield(strands, step);
+        let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, step);
         if forgives && self.ending.attempt == Attempt::Whole && !self.beyond {
-            // Bodies' surfaces stay as they are.
+            // The normals of bodies stay as they are.
             (self.iterations, self.done, self.ending.attempt) = (LOOKS, false, Attempt::Yielding);
             self.begin_to_count(LOOKS);
             return Next::GoesOn;
@@ -149,59 +153,63 @@ impl Island {
             self.relax(strands, options, step);
             self.relaxings = if options.model.is_soft() { RELAXINGS } else { self.relaxings + 1 };
         }
-        self.ending.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
+        self.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
         (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
-        for joint in &mut self.joints {
-            (joint.force, joint.dormant, joint.pushed) = (Vector3::zeros(), false, 0.0);
+        for constraint in &mut self.constraints {
+            (constraint.force, constraint.dormant, constraint.pushed) = (Vector3::zeros(), false, 0.0);
         }
         Next::BeginsAgain
     }
 
-    /// Lets the touches of strands yield that are astray. False if none yields that did not.
-    fn let_some_yield(&mut self, strands: &[HeldStrand], step: f64) -> bool {
-        let astray = self.astray(strands, step);
+    /// Lets the contacts of diverged strands yield. False if none is new.
+    fn let_some_yield(&mut self, strands: &[ConstrainedStrand], step: f64) -> bool {
+        let diverged = self.diverged_strands(strands, step);
         let mut some = false;
-        for joint in &mut self.joints {
-            if joint.give == Give::No && joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
-                (joint.give, joint.dormant, joint.standing, some) = (Give::ALittle, false, Standing::UNKNOWN, true);
+        for constraint in &mut self.constraints {
+            if constraint.give == Give::No && constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
+                (constraint.give, constraint.dormant, constraint.standing, some) =
+                    (Give::ALittle, false, Standing::UNKNOWN, true);
             }
         }
         some
     }
 
-    /// Relaxes all joints of the strands that are astray; from the second time on, of their neighbours too.
-    fn relax(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) {
-        let mut astray = self.astray(strands, step);
+    /// Relaxes all constraints of diverged strands; from the second time on, those of their neighbours too.
+    fn relax(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
+        let mut diverged = self.diverged_strands(strands, step);
         if self.relaxings > 0 {
-            let meets = |joint: &&Joint| joint.ends().any(|end| astray.binary_search(&end.held).is_ok());
-            let mut all: Vec<u32> = self.joints.iter().filter(meets).flat_map(Joint::ends).map(|end| end.held).collect();
-            all.extend_from_slice(&astray);
+            let meets = |constraint: &&StepConstraint| constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok());
+            let mut all: Vec<u32> =
+                self.constraints.iter().filter(meets).flat_map(StepConstraint::ends).map(|end| end.strand).collect();
+            all.extend_from_slice(&diverged);
             all.sort_unstable();
-            astray = all;
+            diverged = all;
         }
-        let all = astray.is_empty() || options.model.is_soft();
-        for joint in &mut self.joints {
-            if all || joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
-                (joint.give, joint.standing) = (Give::Much, Standing::UNKNOWN);
+        let all = diverged.is_empty() || options.model.is_soft();
+        for constraint in &mut self.constraints {
+            if all || constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
+                (constraint.give, constraint.standing) = (Give::Much, Standing::UNKNOWN);
             }
         }
     }
 
-    /// The strands that are astray, ascending: where forces grew beyond measure, those with such forces; else those too far from
-    /// their end, or with joints that are.
-    fn astray(&self, strands: &[HeldStrand], step: f64) -> Vec<u32> {
-        let far = |held: &&u32| {
-            let residual = strands[**held as usize].residual;
+    /// The diverged strands, ascending: those with forces beyond measure where there are any, else those too far from
+    /// convergence or with constraints that are.
+    fn diverged_strands(&self, strands: &[ConstrainedStrand], step: f64) -> Vec<u32> {
+        let far = |strand: &&u32| {
+            let residual = strands[**strand as usize].residual;
             !self.beyond && (residual > ENOUGH_TURN || residual.is_nan())
         };
-        let mut astray: Vec<u32> = self.strands.iter().filter(far).copied().collect();
+        let mut diverged: Vec<u32> = self.strands.iter().filter(far).copied().collect();
         let large = LARGE * self.usual_force(strands, step);
-        let off = |joint: &&Joint| if self.beyond { joint.force.norm() > large } else { !joint.standing.nearly };
-        for joint in self.joints.iter().filter(off) {
-            astray.extend(joint.ends().map(|end| end.held));
+        let off = |constraint: &&StepConstraint| {
+            if self.beyond { constraint.force.norm() > large } else { !constraint.standing.nearly }
+        };
+        for constraint in self.constraints.iter().filter(off) {
+            diverged.extend(constraint.ends().map(|end| end.strand));
         }
-        astray.sort_unstable();
-        astray
+        diverged.sort_unstable();
+        diverged
     }
 }

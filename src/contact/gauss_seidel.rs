@@ -1,38 +1,39 @@
-//! The contact-space problem solved by nonsmooth block Gauss–Seidel: touch after touch, each by its law's exact solve
-//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated (`conjugate.rs`); small problems,
-//! and patches of large ones where that is slow, by Newton's iteration on all their touches at once (`block_newton.rs`).
+//! The contact-space problem solved by nonsmooth block Gauss–Seidel: contact after contact, each by its law's exact solve
+//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated (`conjugate.rs`). Small
+//! problems, and patches of large ones where that is slow, are solved by Newton's iteration on all their contacts at once
+//! (`block_newton.rs`).
 
 use nalgebra::Vector3;
 
+use super::bilateral_elimination::DependentConstraint;
 use super::block_newton::{BlockNewton, Goal};
-use super::bonds::DependentBond;
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::law::Law;
 use super::patch::Patches;
 use super::system::System;
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// The residual asked for, see [`Report::residual`].
+    /// The tolerance, see [`Report::residual`].
     pub tolerance: f64,
-    /// Most sweeps over all touches.
+    /// The largest number of sweeps over all contacts.
     pub max_sweeps: u32,
-    /// What residuals are measured in.
+    /// The scales of residuals.
     pub scales: Scales,
-    /// Most work, in nanoseconds or so: it ends with the round, or Newton's step, that goes beyond.
-    pub most_work: u64,
+    /// The largest cost, nanoseconds or so: the solve ends with the round, or Newton's step, that exceeds it.
+    pub max_work: u64,
 }
 
-/// What residuals are measured in.
+/// The scales of residuals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Scales {
-    /// Forces in the largest of the problem, displacements in the largest free one.
+    /// The largest force of the problem and its largest unconstrained displacement.
     OfTheProblem,
-    /// The same for every problem: a touch's force in itself, or in `force` (N) where that is more, displacements in `length` (m).
+    /// The same for every problem: a contact's own force, or `force` (N) if that is more; displacements in `length` (m).
     Fixed {
         /// N.
         force: f64,
@@ -43,45 +44,48 @@ pub enum Scales {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_sweeps: 2000, scales: Scales::OfTheProblem, most_work: u64::MAX }
+        Self { tolerance: 1e-6, max_sweeps: 2000, scales: Scales::OfTheProblem, max_work: u64::MAX }
     }
 }
 
-/// What came of a solve.
+/// The result of a solve.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Report {
     /// Sweeps made.
     pub sweeps: u32,
-    /// The largest residual of any touch ([`super::law::Law::residual`]), forces measured in `force`, displacements in `length`.
+    /// The largest residual of any contact ([`super::law::Law::residual`]), forces in units of `force`, displacements of
+    /// `length`.
     pub residual: f64,
-    /// The force that residuals are measured in, N: a touch's own where that is more.
+    /// The scale of forces, N: a contact's own force where that is more.
     pub force: f64,
-    /// The length that they are measured in, m.
+    /// The scale of displacements, m.
     pub length: f64,
-    /// How large the problem is in these scales, 1 or more: what is a small part of it is small though its residual may not be.
+    /// The size of the problem in these scales, 1 or more: the measure of what is small in it.
     pub size: f64,
-    /// The work that it took, in nanoseconds or so.
+    /// The cost, nanoseconds or so.
     pub work: u64,
-    /// Held directions that depend on others.
-    pub dependent: Vec<DependentBond>,
+    /// Constrained directions that depend on others.
+    pub dependent: Vec<DependentConstraint>,
 }
 
 /// Sweeps in which the residual must halve.
 const PATIENCE: u32 = 60;
-/// Problems of at most so many touches are taken whole by Newton's iteration first (its price grows with their cube: 400 take a second).
+/// Problems of at most this many contacts are first solved as a whole by Newton's iteration (its cost grows with their cube:
+/// 400 take a second).
 const WHOLE: usize = 100;
-/// So many where they are one block's,
+/// The same for contacts of one block,
 const ONE_BLOCK: usize = 400;
-/// and so many where sweeps are slow.
+/// and where sweeps are slow.
 const RESCUE: usize = 150;
-/// Sweeps between looks at the residual: the first time, and of what is taken whole, between Newton's first two tries (twice as many before the
-/// next, but where there are bonds: most of what it cannot solve at once has no solution); and most, later.
+/// Sweeps between two checks of the residual: at first, and of a problem solved as a whole between Newton's first two attempts
+/// (twice as many before the next, but not with bilateral constraints: most of what it cannot solve at once has no solution);
+/// and the most, later.
 const FIRST_ROUND: u32 = 5;
 const ROUND: u32 = 20;
-/// A round that leaves more than this part of the residual is slow: then it is for a few touches, and patches around the worst are solved before
+/// A round that leaves more than this fraction of the residual is slow: patches around the largest residuals are solved before
 /// the next (`patch.rs`).
 const SLOW: f64 = 0.5;
-/// That is of use only near the solution: elsewhere a patch, of the price of some sweeps, is soon undone by others.
+/// Patches are of use only near the solution: elsewhere a patch, at the cost of some sweeps, is soon undone by others.
 const NEAR: f64 = 0.1;
 
 /// The solver; keeps its memory.
@@ -97,25 +101,26 @@ pub struct GaussSeidel {
 }
 
 impl GaussSeidel {
-    /// Solves. `forces`: one a touch, where to start from, replaced by the solution.
+    /// Solves the problem. `forces`: the initial forces, one per constraint, replaced by the solution.
     pub fn solve(&mut self, space: &ContactSpace, settings: &Settings, forces: &mut [Vector3<f64>]) -> Report {
-        self.solve_by(space, settings, forces, &Crew::<()>::serial(), &Meter::unlimited())
+        self.solve_by(space, settings, forces, &WorkerSet::<()>::serial(), &Meter::unlimited())
     }
 
-    /// The same by a crew, who sweep the problem's parts side by side: the same bits. Where `meter` halts it, it is left unsolved.
+    /// The same by workers, who sweep the problem's subdomains side by side: the same bits. Where `meter` halts it, it is left
+    /// unsolved.
     pub(crate) fn solve_by<S: Default + Send>(
         &mut self,
         space: &ContactSpace,
         settings: &Settings,
         forces: &mut [Vector3<f64>],
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) -> Report {
         self.system.prepare(space);
         let system = &mut self.system;
         self.forces.clear();
         for index in 0..system.rows.len() {
-            let force = forces[system.rows[index].touch];
+            let force = forces[system.rows[index].constraint];
             self.forces.push(force);
             if force != Vector3::zeros() {
                 system.push(space, index, &force);
@@ -132,11 +137,11 @@ impl GaussSeidel {
         loop {
             settings.scales.set(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
-            let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.most_work;
+            let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.max_work;
             if report.residual <= settings.tolerance || spent || meter.is_halted() {
                 break;
             }
-            // What does not get on will not: Newton's next iteration asks again, from elsewhere.
+            // A solve that makes no progress is left: Newton's next iteration asks again, from elsewhere.
             if report.residual < 0.5 * best {
                 (best, best_at) = (report.residual, report.sweeps);
             } else if report.sweeps > best_at + PATIENCE {
@@ -147,10 +152,10 @@ impl GaussSeidel {
             // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.
             tried_whole = !tried_whole && ((whole && report.sweeps == 0) || (rescue && slow));
             if tried_whole {
-                tries += u32::from(!system.bonds.are_there());
+                tries += u32::from(!system.bilateral.are_there());
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
                 self.newton.solve(space, system, &self.forces, &self.rows, &report, goal, meter);
                 self.newton.apply(space, system, &mut self.forces);
                 report.work += self.newton.work;
@@ -159,8 +164,8 @@ impl GaussSeidel {
                 continue;
             }
             if slow && report.residual < NEAR * report.size {
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
-                report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, crew, meter);
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
+                report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, workers, meter);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
             }
@@ -169,25 +174,25 @@ impl GaussSeidel {
                 () if report.sweeps == 0 => FIRST_ROUND,
                 () => ROUND,
             };
-            self.conjugate.sweeps(space, system, &mut self.forces, round, crew, meter);
+            self.conjugate.sweeps(space, system, &mut self.forces, round, workers, meter);
             report.sweeps += round + 1;
             report.work += u64::from(round + 1) * sweep_work;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
-            forces[row.touch] = *force;
+            forces[row.constraint] = *force;
         }
-        report.dependent = system.bonds.finish(space, forces);
+        report.dependent = system.bilateral.finish(space, forces);
         report
     }
 }
 
 impl Scales {
-    /// Sets the scales of a report, and how large the problem is in them.
+    /// Sets the scales of a report, and the size of the problem in them.
     fn set(self, system: &System, forces: &[Vector3<f64>], report: &mut Report) {
         let mut force = forces.iter().fold(0.0, |a: f64, f| a.max(f.norm()));
-        let mut length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.free.norm()));
+        let mut length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.unconstrained.norm()));
         if let Self::Fixed { force: least_force, length: fixed } = self {
-            // A touch's force is measured in itself, so that the largest is no larger than any.
+            // A contact's force is measured in itself, so that the largest is no larger than any.
             report.size = (length / fixed).max(1.0);
             (report.force, report.length) = (least_force, fixed);
             return;
@@ -204,9 +209,9 @@ impl Scales {
 }
 
 impl Report {
-    /// How far a law is from holding in the report's scales, see [`Law::residual`].
+    /// The residual of a law in the report's scales, see [`Law::residual`].
     #[inline(always)]
-    pub fn miss(&self, law: &Law, u: Vector3<f64>, force: Vector3<f64>, step: f64) -> f64 {
+    pub fn law_residual(&self, law: &Law, u: Vector3<f64>, force: Vector3<f64>, step: f64) -> f64 {
         law.residual(u, force, step, self.length, self.force.max(force.norm()))
     }
 }
@@ -215,8 +220,8 @@ impl Report {
 pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) -> f64 {
     let mut worst = 0.0_f64;
     for (row, force) in system.rows.iter().zip(forces) {
-        let law = &space.touches()[row.touch].law;
-        worst = worst.max(report.miss(law, system.relative(row), *force, space.step()));
+        let law = &space.constraints()[row.constraint].law;
+        worst = worst.max(report.law_residual(law, system.relative(row), *force, space.step()));
     }
     worst
 }
@@ -226,7 +231,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::contact::contact_space::{End, SpaceTouch};
+    use crate::contact::contact_space::{End, SpaceConstraint};
     use crate::contact::law::coefficient::Coefficient;
     use crate::contact::law::contact::{Contact, Friction};
     use crate::contact::law::response::Response;
@@ -234,7 +239,7 @@ mod tests {
 
     const POINTS: u32 = 5;
 
-    /// A host with one thread, which does what comes last first.
+    /// A host with one thread, which runs tasks in reverse order.
     struct Backwards;
 
     impl ParallelFor for Backwards {
@@ -243,7 +248,8 @@ mod tests {
         }
     }
 
-    /// Cantilevers side by side that are pressed on the ground and against each other, in four parts; too many to be taken whole.
+    /// Cantilevers side by side that are pressed on the ground and against each other, in four subdomains; too many to be
+    /// solved as a whole.
     fn four_parts() -> (ContactSpace, Vec<Vector3<f64>>) {
         let mut space = ContactSpace::default();
         space.reset(1.0 / 60.0).unwrap();
@@ -259,11 +265,11 @@ mod tests {
         let add = |space: &mut ContactSpace, first: u32, second: Option<u32>, point: u32| {
             let normal = if second.is_some() { -Vector3::y() } else { Vector3::z() };
             let friction = Friction::Coulomb(Coefficient::uniform(0.3));
-            let free =
+            let unconstrained =
                 Vector3::new(0.01 * f64::from(point), 0.0, 0.0) - normal * (1.0 + 0.1 * f64::from((first * 7 + point) % 5));
             let law = Law::Contact(Contact { normal, response: Response::Hard, friction });
             let end = |strand| End { strand, point };
-            space.add_touch(SpaceTouch { first: end(first), second: second.map(end), law, free }).unwrap();
+            space.add_constraint(SpaceConstraint { first: end(first), second: second.map(end), law, unconstrained }).unwrap();
         };
         let mut ends = Vec::new();
         for part in 0..4 {
@@ -275,42 +281,42 @@ mod tests {
                     }
                 }
             }
-            ends.push(space.touches().len());
+            ends.push(space.constraints().len());
         }
         for strand in [4, 14, 9] {
             for point in 0..POINTS {
                 add(&mut space, strand, Some(strand + 1), point);
             }
-            ends.push(space.touches().len());
+            ends.push(space.constraints().len());
         }
         space.part(&[5, 10, 15, 20], &ends);
-        let forces = vec![Vector3::zeros(); space.touches().len()];
+        let forces = vec![Vector3::zeros(); space.constraints().len()];
         (space, forces)
     }
 
     #[test]
-    fn parts_swept_side_by_side_hold_the_laws_and_are_the_same_bits_for_any_number_of_threads() {
+    fn subdomains_swept_side_by_side_satisfy_the_laws_with_the_same_bits_for_any_number_of_threads() {
         let (space, zeros) = four_parts();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
         let mut alone = zeros.clone();
         let report = GaussSeidel::default().solve(&space, &settings, &mut alone);
         let mut displacements = Vec::new();
         space.displacements(&alone, &mut displacements);
-        for (k, (touch, force)) in space.touches().iter().zip(&alone).enumerate() {
+        for (k, (constraint, force)) in space.constraints().iter().zip(&alone).enumerate() {
             let u = space.relative(k, &displacements);
-            let miss = report.miss(&touch.law, u, *force, space.step());
-            assert!(miss < 2e-9, "touch {k}: {miss:e}");
+            let law_residual = report.law_residual(&constraint.law, u, *force, space.step());
+            assert!(law_residual < 2e-9, "touch {k}: {law_residual:e}");
         }
-        // Touches between parts press too.
+        // Contacts between subdomains press too.
         for between in alone.chunks(POINTS as usize).rev().take(3) {
             assert!(between.iter().any(|force| force.norm() > 1e-3 * report.force));
         }
         let others = [Workers::Pool(2), Workers::Pool(3), Workers::Pool(8), Workers::Host(Arc::new(Backwards))];
-        for workers in others {
-            let crew = Crew::<()>::new(&workers).unwrap();
+        for setting in others {
+            let workers = WorkerSet::<()>::new(&setting).unwrap();
             let mut forces = zeros.clone();
-            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &crew, &Meter::unlimited()), report);
-            assert_eq!(forces, alone, "{workers:?}");
+            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &workers, &Meter::unlimited()), report);
+            assert_eq!(forces, alone, "{setting:?}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What lies under an element: the body's distance at places of it.
+//! The distance of a body from points of an element.
 
 use std::cell::Cell;
 
@@ -8,20 +8,20 @@ use super::body::BodyAt;
 use super::descent::Sample;
 use super::shape::{Ball, Kind, Mesh, Patch, Sides, Surface};
 
-/// A node of an element: the element is looked at there first.
+/// A node of an element, where the distance is sampled first.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
     /// Arclength from the element's left end, m.
     pub s: f64,
-    /// Where it was at the step's start, in the body's axes then.
+    /// Position at the start of the step, in the body's axes then.
     pub before: Vector3<f64>,
-    /// Where it is, in the body's axes at the step's end.
+    /// Position at the present iterate, in the body's axes at the end of the step.
     pub now: Vector3<f64>,
     /// Unit tangent there.
     pub tangent: Vector3<f64>,
-    /// What was found there.
+    /// The surface found there.
     pub sample: Option<Sample<Surface>>,
-    /// What its distance is at least where nothing was found: the reach, or so much that nothing lies between it and its neighbours.
+    /// What is known of its distance where no surface was found.
     pub clear: Clear,
 }
 
@@ -34,27 +34,27 @@ pub(super) enum Clear {
     Of(f64),
 }
 
-/// What is asked for the distance of a point in the body's axes.
+/// What is needed for the distance of a point in the body's axes.
 pub(super) struct Ground<'a> {
     /// The body.
     pub body: &'a BodyAt<'a>,
-    /// Its mesh, if it is one.
+    /// Its mesh, if it has one.
     pub mesh: Option<&'a Mesh>,
     /// The mesh's triangles about the element.
     pub patch: &'a Patch,
-    /// How far a mesh is looked at, m.
+    /// The search distance of a mesh, m.
     pub reach: f64,
-    /// The triangle found nearest last.
+    /// The triangle that was nearest last.
     pub hint: Cell<Option<u32>>,
 }
 
 impl Ground<'_> {
-    /// The surface nearest to `now`, for a point that was at `before`; None if it is farther than the reach.
+    /// The surface nearest to `now`, for a point that was at `before`; `None` if it is further away than the reach.
     pub fn ask(&self, before: impl FnOnce() -> Vector3<f64>, now: Vector3<f64>, inside: Option<bool>) -> Option<Surface> {
         self.ask_among(&self.patch.near, before, now, inside)
     }
 
-    /// [`Ground::ask`] where of a mesh's triangles only some can be nearest.
+    /// [`Ground::ask`] if only some of a mesh's triangles can be nearest.
     pub fn ask_among(
         &self,
         balls: &[Ball],
@@ -71,7 +71,7 @@ impl Ground<'_> {
         let mut surface = mesh.closest_among(balls, &self.hint, self.reach, inside, now)?;
         if mesh.sides() == Sides::Both {
             let before = before();
-            // A way shorter than the distance at its end crosses nothing that is at rest.
+            // A path shorter than the distance at its end crosses nothing that is at rest.
             let short = !mesh.is_moving() && (now - before).norm_squared() < surface.distance * surface.distance;
             if !short && self.patch.is_crossed(mesh, &before, &now) {
                 surface.distance = -surface.distance;
@@ -88,7 +88,7 @@ impl Ground<'_> {
     }
 }
 
-/// What was found at a place of a curve.
+/// The sample of a surface at a point of a curve.
 pub(super) fn sample(s: f64, found: Surface, tangent: &Vector3<f64>) -> Sample<Surface> {
     Sample { s, value: found.distance, slope: found.normal.dot(tangent), found }
 }

@@ -1,13 +1,13 @@
-//! Hair against hair: which strands may touch, kept from step to step, and where they do.
+//! Pairs of strands that may be in contact, kept from step to step, and their contacts.
 //!
-//! The search for pairs of pieces (`pieces.rs`, `grid.rs`) finds more than touch now: all that come within a margin of touching. What it found
-//! holds until a piece has moved by more than its margin, and that is asked at every iterate, so that no pair is ever missed. Motion that
-//! all strands share (a head that turns) does not count: it is measured against the motion that the roots share.
+//! The search for pairs of pieces (`pieces.rs`, `broad_phase.rs`) finds all that come within a margin of contact. The result is
+//! valid until a piece has moved by more than its margin, which is checked at every iterate, so that no pair goes undetected.
+//! Motion common to all strands (a head that turns) does not count: motion is measured relative to that of the roots.
 //!
 //! Files:
 //!
-//! - `knots.rs`: Where ties hold strands together hair gives way to hair.
-//! - `memory.rs`: What the search for pairs keeps from step to step, taken out and put back, for images of a scene.
+//! - `knots.rs`: Knots: where ties hold strands together their wisps give way to each other.
+//! - `memory.rs`: What the search for pairs keeps from step to step, saved and restored for snapshots.
 
 mod knots;
 mod memory;
@@ -21,37 +21,37 @@ pub use knots::Tie;
 pub(crate) use memory::PairMemory;
 
 use super::broad_phase::Grid;
+use super::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use super::pieces::{Pieces, PlacedPieces, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::shape::Bounds;
-use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
+use super::strand_contacts::{MovingPiece, PairScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
-/// How far to look.
+/// Search distances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairOptions {
-    /// Gaps up to this are touches, m, zero or above: as far as strands may approach between two looks at them.
+    /// Gaps up to this are contacts, m, zero or above: as far as strands may approach between two searches.
     pub activation: f64,
-    /// How far a piece may move against the rest before pairs are searched for again, m, zero or above. A larger one means fewer searches and
-    /// more candidates.
+    /// How far a piece may move relative to the rest before pairs are searched for again, m, zero or above. A larger one means
+    /// fewer searches and more candidates.
     pub margin: f64,
 }
 
-/// What a search and its use came to.
+/// The results of searches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct PairCounts {
     /// Calls of [`HairPairs::update`].
     pub updates: u64,
-    /// Those among them that searched.
+    /// Those that searched.
     pub searches: u64,
-    /// Pieces that strands are cut into now.
+    /// Pieces of all strands.
     pub pieces: usize,
-    /// Pairs of pieces that may touch.
+    /// Pairs of pieces that may be in contact.
     pub candidates: usize,
-    /// Pairs of strands that have such pieces.
+    /// Pairs of strands with such pieces.
     pub groups: usize,
 }
 
@@ -67,7 +67,7 @@ pub struct Group {
 }
 
 impl Group {
-    /// How many pairs of pieces are looked at.
+    /// The number of pairs of pieces.
     pub fn candidates(&self) -> u32 {
         self.to - self.from
     }
@@ -80,10 +80,10 @@ struct SearchPart {
     found: Vec<u128>,
 }
 
-/// In so many parts, whoever searches them.
+/// The number of tasks of a search, whatever the threads.
 const PARTS: usize = 128;
 
-/// Pairs of strands that may touch. Memory is kept: once it has grown, nothing is allocated.
+/// Pairs of strands that may be in contact. Memory is kept: once it has grown, nothing is allocated.
 #[derive(Debug, Default)]
 pub struct HairPairs {
     wisps: Vec<Wisp>,
@@ -94,9 +94,9 @@ pub struct HairPairs {
     grid: Grid,
     boxes: Vec<Bounds>,
     candidates: Vec<(u32, u32)>,
-    /// What the present search finds, in parts.
+    /// The results of the present search, task by task.
     parts: Vec<SearchPart>,
-    /// All of it, as numbers in the candidates' order.
+    /// All of them, as numbers in the candidates' order.
     found: Vec<u128>,
     merged: Vec<(u32, u32)>,
     groups: Vec<Group>,
@@ -104,18 +104,18 @@ pub struct HairPairs {
     /// Sagittas are the larger of then and now.
     now: PlacedPieces,
     placing: Vec<PlacedPieces>,
-    /// The start as the motion that all strands share has carried it along; that motion's turn.
+    /// The start carried along by the common motion of all strands; the rotation of that motion.
     carried: Vec<Vector3<f64>>,
     turned: Matrix3<f64>,
-    /// The roots of the strands that take part, at the step's start and now.
+    /// The roots of the strands with a wisp radius, at the start of the step and now.
     roots: [Vec<Root>; 2],
     /// Nodes, roots and sagittas when the candidates were found.
     found_at: Vec<Vector3<f64>>,
-    /// Whether a strand, by its index, has left the room that its candidates were found for.
+    /// Whether a strand, by its index, has moved further than its candidates allow.
     left: Vec<bool>,
     found_roots: Vec<Root>,
     found_sagittas: Vec<f64>,
-    /// The start is still to be looked at; it is the one that the candidates were found with.
+    /// The start has not been placed yet; it is the one for which the candidates were found.
     begun: bool,
     found_this_step: bool,
     counts: PairCounts,
@@ -123,7 +123,7 @@ pub struct HairPairs {
 }
 
 impl HairPairs {
-    /// Says what the strands are to each other. The next [`update`](Self::update) searches.
+    /// Sets the wisps. The next [`update`](Self::update) searches.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for an option or a wisp that is out of range; nothing is changed then.
@@ -136,64 +136,70 @@ impl HairPairs {
         self.wisps.clear();
         self.wisps.extend_from_slice(wisps);
         (self.activation, self.margin, self.valid) = (options.activation, options.margin, false);
-        // They were ties of other strands.
+        // The ties were those of other strands.
         self.knots.set(&[], 0, |_| 0.0)
     }
 
-    /// Says which strands are tied together where; what was said before is forgotten. Beside a knot their touches have a smaller radius, and next
-    /// to it there are none. Takes no new search.
+    /// Sets the ties between strands, in place of earlier ones. Beside a knot their contacts have a smaller radius, and next to
+    /// it there are none. Needs no new search.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a strand that is none of the wisps, or an arclength that is negative or not finite; nothing is changed then.
+    /// [`Error::InvalidArgument`] for a strand that is none of the wisps, or an arclength that is negative or not finite;
+    /// nothing is changed then.
     pub fn set_ties(&mut self, ties: &[Tie]) -> Result<()> {
         let Self { knots, wisps, .. } = self;
         knots.set(ties, wisps.len(), |strand| wisps[strand as usize].radius)
     }
 
-    /// Says that a step begins: the next [`update`](Self::update) has another start. Within a step its paths' starts are the same.
+    /// A step begins: the next [`update`](Self::update) has another start. Within a step the starts of its paths are the same.
     pub fn begin_step(&mut self) {
         (self.begun, self.found_this_step) = (true, false);
     }
 
-    /// Takes note of where the strands are, at every iterate, and searches where what was found may no longer be all. True if it searched.
-    /// Strands are paths in the order of the wisps; their numbers of elements and their lengths must be those of the last search
-    /// ([`set`](Self::set) otherwise). A strand that is not finite meets nothing until the next search.
+    /// Updates the strands' positions, at every iterate, and searches if the candidates may be incomplete. True if it searched.
+    /// Strands are paths in the order of the wisps; their numbers of elements and their lengths must be those of the last
+    /// search (otherwise call [`set`](Self::set)). A strand that is not finite has no contacts until the next search.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for another number of strands than of wisps.
     pub fn update(&mut self, strands: &[StrandPath]) -> Result<bool> {
-        self.update_by(strands, &Crew::<()>::serial(), &Meter::unlimited())
+        self.update_by(strands, &WorkerSet::<()>::serial(), &Meter::unlimited())
     }
 
-    /// [`HairPairs::update`], with others' help. Where `meter` halts it there are no pairs, and the next begins anew.
-    pub(crate) fn update_by<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>, meter: &Meter) -> Result<bool> {
+    /// [`HairPairs::update`] by workers. If `meter` halts it there are no pairs, and the next update searches.
+    pub(crate) fn update_by<S: Default + Send>(
+        &mut self,
+        strands: &[StrandPath],
+        workers: &WorkerSet<S>,
+        meter: &Meter,
+    ) -> Result<bool> {
         if strands.len() != self.wisps.len() {
             return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
         }
         self.counts.updates += 1;
         if self.valid {
             if self.begun {
-                self.place_start(strands, crew);
+                self.place_start(strands, workers);
             }
-            self.place(strands, crew);
+            self.place(strands, workers);
             self.valid = !self.now.outgrown;
             if self.valid && self.are_within() {
                 return Ok(false);
             }
         }
-        // Within a step the strands that have not left their room keep their candidates.
+        // Within a step the strands that have not moved too far keep their candidates.
         if !(self.valid && self.found_this_step) {
             self.pieces.cut(&self.wisps, |strand| strands[strand].now);
-            self.place_start(strands, crew);
-            self.place(strands, crew);
+            self.place_start(strands, workers);
+            self.place(strands, workers);
             self.left.clear();
             self.left.resize(self.wisps.len(), true);
             self.candidates.clear();
-            // All are taken over by the search.
+            // The search takes over all positions.
             self.found_at.resize(self.now.nodes.len(), Vector3::zeros());
             self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
         }
-        self.search(crew, meter);
+        self.search(workers, meter);
         let whole = !meter.is_halted();
         if !whole {
             self.groups.clear();
@@ -202,16 +208,16 @@ impl HairPairs {
         Ok(true)
     }
 
-    /// Where everything was when the step began.
-    fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) {
-        self.pieces.place(&self.wisps, |strand| strands[strand].start, crew, &mut self.placing, &mut self.start);
+    /// Places everything at the start of the step.
+    fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].start, workers, &mut self.placing, &mut self.start);
         roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
         self.begun = false;
     }
 
-    /// Where everything is.
-    fn place<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) {
-        self.pieces.place(&self.wisps, |strand| strands[strand].now, crew, &mut self.placing, &mut self.now);
+    /// Places everything at the present iterate.
+    fn place<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].now, workers, &mut self.placing, &mut self.now);
         for (now, then) in self.now.sagittas.iter_mut().zip(&self.start.sagittas) {
             *now = now.max(*then);
         }
@@ -222,12 +228,12 @@ impl HairPairs {
         self.turned = shared.turn;
     }
 
-    /// Whether no piece has left the room that the candidates were found for; which strands have such pieces is in `left`.
+    /// Whether no piece has moved further than the candidates allow; `left` marks the strands of such pieces.
     fn are_within(&mut self) -> bool {
         let Self { left, found_at, found_sagittas, margin, .. } = self;
         left.clear();
         left.resize(self.wisps.len(), false);
-        // The start is the one of the search, and its way was looked at then, or within the margin like everything else.
+        // The start is the one of the search, and was looked at then, or within the margin like everything else.
         let whens: &[_] =
             &[(&self.now.nodes, &self.roots[1]), (&self.start.nodes, &self.roots[0])][..if self.found_this_step { 1 } else { 2 }];
         for (nodes, roots) in whens {
@@ -242,8 +248,8 @@ impl HairPairs {
         !left.contains(&true)
     }
 
-    /// Finds the candidates of the strands that have left their room, in a new one; all others' stay.
-    fn search<S: Default + Send>(&mut self, crew: &Crew<S>, meter: &Meter) {
+    /// Finds the candidates of the strands that have moved too far; all others keep theirs.
+    fn search<S: Default + Send>(&mut self, workers: &WorkerSet<S>, meter: &Meter) {
         let Self {
             wisps, pieces, boxes, candidates, grid, parts, found, merged, carried, left, found_at, found_sagittas, ..
         } = self;
@@ -289,7 +295,7 @@ impl HairPairs {
             part.found.clear();
         }
         let (grid, boxes) = (&*grid, &*boxes);
-        crew.for_each_task(parts, 1, 1, |parts, _| {
+        workers.for_each_task(parts, 1, 1, |parts, _| {
             for SearchPart { buckets, found } in parts {
                 if meter.is_halted() {
                     continue;
@@ -321,7 +327,7 @@ impl HairPairs {
             found.extend_from_slice(&part.found);
         }
         found.sort_unstable();
-        // Those that stay and those that are new, in their common order.
+        // Kept and new candidates, in their common order.
         merged.clear();
         let mut new = found.iter().peekable();
         for candidate in candidates.iter() {
@@ -353,20 +359,28 @@ impl HairPairs {
         (counts.pieces, counts.candidates, counts.groups) = (pieces.len(), candidates.len(), groups.len());
     }
 
-    /// Gaps up to this are touches, m.
+    /// Gaps up to this are contacts, m.
     pub fn activation(&self) -> f64 {
         self.activation
     }
 
-    /// Pairs of strands that may touch, by first and second strand. Stays until the next search.
+    /// Pairs of strands that may be in contact, by first and second strand. Valid until the next search.
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
 
-    /// Writes the touches of a pair of strands after what `out` holds, by arclength of the first strand: gaps up to `within` (m, zero or above;
-    /// no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do so for different
-    /// groups; with the groups in their order, touches are in theirs: by first strand, second strand, arclength of the first, of the second.
-    pub fn touches(&self, group: &Group, strands: &[StrandPath], within: f64, scratch: &mut TouchScratch, out: &mut Vec<Touch>) {
+    /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m, zero or
+    /// above; no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do
+    /// so for different groups; with the groups in their order, contacts are sorted by first strand, second strand, arclength
+    /// of the first, of the second.
+    pub fn contacts(
+        &self,
+        group: &Group,
+        strands: &[StrandPath],
+        within: f64,
+        scratch: &mut PairScratch,
+        out: &mut Vec<ContactPoint>,
+    ) {
         let moving = |index: u32| {
             let piece = &self.pieces.pieces[index as usize];
             let node = piece.node as usize;
@@ -387,34 +401,34 @@ impl HairPairs {
         };
         let candidates = self.candidates[group.from as usize..group.to as usize].iter();
         let first = out.len();
-        two.touches(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+        two.contacts(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
         if self.knots.holds(group.a) && self.knots.holds(group.b) {
             self.gather(group, strands, within, first, out);
         }
     }
 
-    /// Of the touches from `first` on drops those in a knot, and takes back the radii of those beside one.
-    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<Touch>) {
+    /// Removes contacts from `first` on that are in a knot, and reduces the radii of those beside one.
+    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<ContactPoint>) {
         let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
-        let along = |strand: u32, place: &Place| strands[strand as usize].now.along(place.element as usize, place.s);
+        let along = |strand: u32, place: &StrandPoint| strands[strand as usize].now.along(place.element as usize, place.s);
         let mut kept = first;
         for index in first..out.len() {
-            let mut touch = out[index];
-            if let Partner::Strand(other) = &touch.partner {
-                let along = [along(group.a, &touch.place), along(group.b, other)];
-                let Some(share) = self.knots.share_left([group.a, group.b], along, radii) else { continue };
-                touch.gap += (1.0 - share) * radii;
-                if share < 1.0 && touch.gap > within {
+            let mut contact = out[index];
+            if let Partner::Strand(other) = &contact.partner {
+                let along = [along(group.a, &contact.point), along(group.b, other)];
+                let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
+                contact.gap += (1.0 - fraction) * radii;
+                if fraction < 1.0 && contact.gap > within {
                     continue;
                 }
             }
-            out[kept] = touch;
+            out[kept] = contact;
             kept += 1;
         }
         out.truncate(kept);
     }
 
-    /// What it came to so far.
+    /// The counts so far.
     pub fn counts(&self) -> PairCounts {
         self.counts
     }
@@ -427,7 +441,7 @@ struct Root {
     frame: Matrix3<f64>,
 }
 
-/// The roots of the strands that take part.
+/// The roots of the strands with a wisp radius.
 fn roots_of<'a>(
     strands: &[StrandPath<'a>],
     wisps: &[Wisp],
@@ -443,7 +457,7 @@ fn roots_of<'a>(
     }));
 }
 
-/// A turn and a shift.
+/// A rotation and a translation.
 #[derive(Debug)]
 struct RigidMotion {
     turn: Matrix3<f64>,
@@ -451,12 +465,12 @@ struct RigidMotion {
     to: Vector3<f64>,
 }
 
-/// Roots that turn so differently that their mean turn is shorter than this (1 for those that turn alike) share no turn.
+/// Roots share no rotation if their mean rotation is shorter than this (1 for equal rotations).
 const SHARED: f64 = 0.5;
 
 impl RigidMotion {
-    /// The motion that roots have in common: the mean of their turns, and of their origins. (Not that of the strands' points: two strands
-    /// that pass through each other may look like one body that turned.)
+    /// The common motion of roots: the mean of their rotations and of their origins. (Not that of the strands' points: two
+    /// strands that pass through each other may look like one body that turned.)
     fn shared(roots: &[Root], later: &[Root]) -> Self {
         let (mut from, mut to, mut turns, mut count) = (Vector3::zeros(), Vector3::zeros(), Matrix3::zeros(), 0.0);
         for (then, now) in roots.iter().zip(later) {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::touch::StrandCurve;
+use super::contact_point::StrandCurve;
 use crate::math::entire::Stumpff;
 use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::Vec3;
@@ -81,7 +81,7 @@ fn pair(a: &Arc, b: &Arc, s: [f64; 2]) -> PointPair {
 }
 
 /// Iterations at most; three are usual.
-const MOST_ITERATIONS: usize = 40;
+const MAX_ITERATIONS: usize = 40;
 
 /// A closest pair near `start` (arclengths in the elements, m), each within its arc; where `held` is true the start's arclength stays.
 ///
@@ -113,7 +113,7 @@ fn closest_from(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair
     let mut now = pair(a, b, [clamp(0, start[0]), clamp(1, start[1])]);
     let scale = (a.s[1] - a.s[0]).max(b.s[1] - b.s[0]);
     let tolerance = 1e-12 * scale;
-    for _ in 0..MOST_ITERATIONS {
+    for _ in 0..MAX_ITERATIONS {
         let fixed = [0, 1].map(|k| {
             let outwards = (now.s[k] <= bounds[k][0] && now.slope[k] > 0.0) || (now.s[k] >= bounds[k][1] && now.slope[k] < 0.0);
             held[k] || outwards
@@ -127,10 +127,10 @@ fn closest_from(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair
         }
         let room = [0, 1].map(|k| [bounds[k][0] - now.s[k], bounds[k][1] - now.s[k]]);
         let step = bounded_step(now.slope, diagonal, cross, fixed, room);
-        let mut share = 1.0;
+        let mut fraction = 1.0;
         let half = now.apart.norm_squared();
         let next = loop {
-            let s = [clamp(0, now.s[0] + share * step[0]), clamp(1, now.s[1] + share * step[1])];
+            let s = [clamp(0, now.s[0] + fraction * step[0]), clamp(1, now.s[1] + fraction * step[1])];
             if (s[0] - now.s[0]).abs().max((s[1] - now.s[1]).abs()) <= tolerance {
                 return now;
             }
@@ -138,13 +138,13 @@ fn closest_from(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair
             if next.apart.norm_squared() <= half {
                 break next;
             }
-            share *= 0.5;
+            fraction *= 0.5;
         };
         let (moved, fell) = ((next.s[0] - now.s[0]).abs().max((next.s[1] - now.s[1]).abs()), half - next.apart.norm_squared());
         now = next;
         // An undamped step of 1e-5 of the arc leaves its square.
         let last = if damped { 1e-9 } else { 1e-5 } * scale;
-        if (share == 1.0 && moved < last) || fell <= 1e-15 * half {
+        if (fraction == 1.0 && moved < last) || fell <= 1e-15 * half {
             break;
         }
     }

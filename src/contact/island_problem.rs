@@ -1,29 +1,31 @@
-//! The contact problem of an island's Newton iteration: which joints have a part in it, and its solution.
+//! The contact problem of an island's Newton iteration: the constraints in it, and its solution.
 
 use nalgebra::Vector3;
 
-use super::contact_space::{ContactSpace, End, SpaceTouch};
+use super::constrained_strand::ConstrainedStrand;
+use super::contact_space::{ContactSpace, End, SpaceConstraint};
 use super::gauss_seidel::{GaussSeidel, Scales, Settings};
-use super::held_strand::HeldStrand;
 use super::island::Island;
-use super::joint::JointKind;
 use super::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use super::partition::Partition;
+use super::step_constraint::ConstraintKind;
 use crate::error::Result;
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
-/// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
+/// The tolerance of an island's first contact problem, and of later ones as a fraction of the laws' residual after the
+/// iteration before.
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
-/// The residual where constraints have a part, which are to hold to the last digit.
+/// The tolerance with bilateral constraints, which hold to the last digit.
 const CONSTRAINED: f64 = 1e-8;
-/// Viscous friction is whole from a force on that is this part of the lightest strand's weight.
+/// Viscous friction is in full force where the normal force exceeds this fraction of the lightest strand's weight.
 const RUBS_FULLY: f64 = 0.1;
-/// In how many of an island's first iterations it may grow with the force: a touch that its friction lifts off would come and go for ever.
+/// In how many of an island's first iterations it may grow with the force: later, a contact lifted off by its own friction
+/// would open and close for ever.
 const ASKED: u32 = 3;
 
-/// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
+/// The memory of contact problems, kept by a worker from island to island, in its caches.
 #[derive(Debug, Default)]
 pub struct ProblemScratch {
     space: ContactSpace,
@@ -33,18 +35,18 @@ pub struct ProblemScratch {
 }
 
 impl Island {
-    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution, unless `meter`
-    /// halts it. It takes [`Island::most_work`] at most.
+    /// Solves the contact problem of an iteration, after the strands' first half. The constraints' forces become its solution,
+    /// unless `meter` halts it. It costs at most [`Island::max_work`].
     ///
     /// # Errors
-    /// Where a number has turned non-finite.
+    /// If a number is not finite.
     pub(crate) fn solve<S: Default + Send>(
         &mut self,
-        strands: &[HeldStrand],
+        strands: &[ConstrainedStrand],
         options: &ContactOptions,
         step: f64,
         scratch: &mut ProblemScratch,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) -> Result<()> {
         if meter.is_halted() {
@@ -53,109 +55,110 @@ impl Island {
         let ProblemScratch { space, solver, forces, partition } = scratch;
         self.iterations += 1;
         space.reset(step)?;
-        self.choose_parts(strands);
-        self.put_in_parts(strands, partition);
+        self.choose_included(strands);
+        self.partition_included(strands, partition);
         for local in &partition.strands {
             if meter.is_halted() {
                 return Ok(());
             }
-            if !self.strand_has_part[*local as usize] {
+            if !self.strand_is_included[*local as usize] {
                 space.add_strand(0);
                 continue;
             }
-            let operator = &strands[self.strands[*local as usize] as usize].held.delassus;
-            space.add_strand(operator.stations).copy_from_slice(&operator.columns);
+            let operator = &strands[self.strands[*local as usize] as usize].step.delassus;
+            space.add_strand(operator.material_points).copy_from_slice(&operator.columns);
         }
         forces.clear();
-        let lightest = self.strands.iter().map(|held| strands[*held as usize].mass).fold(f64::INFINITY, f64::min);
-        for index in 0..self.parts.len() {
+        let lightest = self.strands.iter().map(|strand| strands[*strand as usize].mass).fold(f64::INFINITY, f64::min);
+        for index in 0..self.included.len() {
             if meter.is_halted_at(index) {
                 return Ok(());
             }
-            let joint = self.parts[index] as usize;
-            let rubs = (self.joints[joint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
-            let before = if self.iterations <= ASKED { 1.0 } else { self.joints[joint].rubs };
-            self.joints[joint].rubs = rubs.min(before);
-            let (law, mut free) = self.evaluate(joint, strands, options, step);
-            let [first, second] = self.ends[joint];
+            let constraint = self.included[index] as usize;
+            let rubs = (self.constraints[constraint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
+            let before = if self.iterations <= ASKED { 1.0 } else { self.constraints[constraint].rubs };
+            self.constraints[constraint].rubs = rubs.min(before);
+            let (law, mut unconstrained) = self.evaluate(constraint, strands, options, step);
+            let [first, second] = self.ends[constraint];
             let at = |end: End| {
                 let strand = &strands[self.strands[end.strand as usize] as usize];
                 if strand.resting {
-                    strand.given_way(end.point, &self.has_part, |_| Vector3::zeros())
+                    strand.resting_displacement(end.point, &self.is_included, |_| Vector3::zeros())
                 } else {
-                    strand.free(end.point)
+                    strand.unconstrained(end.point)
                 }
             };
-            free += at(first);
-            let second = self.joints[joint].second.map(|_| second);
+            unconstrained += at(first);
+            let second = self.constraints[constraint].second.map(|_| second);
             if let Some(end) = second {
-                free -= at(end);
+                unconstrained -= at(end);
             }
             let placed = |end: End| End { strand: partition.place[end.strand as usize], ..end };
-            space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
-            forces.push(self.joints[joint].force);
+            space.add_constraint(SpaceConstraint { first: placed(first), second: second.map(placed), law, unconstrained })?;
+            forces.push(self.constraints[constraint].force);
         }
-        // How large the problem is, for what is a small part of it.
-        let longest = space.touches().iter().map(|touch| touch.free.norm()).fold(0.0, f64::max);
+        // The size of the problem, for tolerances relative to it.
+        let longest = space.constraints().iter().map(|constraint| constraint.unconstrained.norm()).fold(0.0, f64::max);
         self.report.size = if options.model.is_soft() { 1.0 } else { (longest / (SPEED * step)).max(1.0) };
-        space.part(&partition.strand_ends, &partition.touch_ends);
-        // Springs have no laws that hold exactly: what they are content with is a part of the problem.
+        space.part(&partition.strand_ends, &partition.constraint_ends);
+        // Springs have no exact laws: their tolerance is relative to the problem.
         let soft = options.model.is_soft();
         let scales = if soft { Scales::OfTheProblem } else { Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step } };
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
-        // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
+        // Not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to the last
+        // digit.)
         let size = self.report.size;
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
-        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
-        self.report = solver.solve_by(space, &settings, forces, crew, meter);
+        let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
+        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
+        self.report = solver.solve_by(space, &settings, forces, workers, meter);
         self.sweeps += self.report.sweeps;
         meter.spend(self.report.work);
         if meter.is_halted() {
             return Ok(());
         }
-        for (joint, force) in self.parts.iter().zip(&*forces) {
-            let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
-            joint.force = *force;
-            if matches!(joint.kind, JointKind::Pin { .. }) {
+        for (constraint, force) in self.included.iter().zip(&*forces) {
+            let (first, constraint) = (self.ends[*constraint as usize][0], &mut self.constraints[*constraint as usize]);
+            constraint.force = *force;
+            if matches!(constraint.kind, ConstraintKind::Pin { .. }) {
                 let strand = &strands[self.strands[first.strand as usize] as usize];
-                joint.force += Vector3::from(strand.held.pulled(first.point as usize));
+                constraint.force += Vector3::from(strand.step.pulled(first.point as usize));
             }
         }
         Ok(())
     }
 
-    /// The joints that strands which move have.
-    fn choose_parts(&mut self, strands: &[HeldStrand]) {
-        self.parts.clear();
-        self.has_part.clear();
-        self.strand_has_part.clear();
-        self.strand_has_part.resize(self.strands.len(), false);
-        for (index, (joint, ends)) in self.joints.iter().zip(&self.ends).enumerate() {
-            let has_part = !joint.dormant && joint.moves(strands);
-            self.has_part.push(has_part);
-            if has_part {
-                self.parts.push(index as u32);
-                self.strand_has_part[ends[0].strand as usize] = true;
-                if joint.second.is_some() {
-                    self.strand_has_part[ends[1].strand as usize] = true;
+    /// Selects the constraints of strands that move.
+    fn choose_included(&mut self, strands: &[ConstrainedStrand]) {
+        self.included.clear();
+        self.is_included.clear();
+        self.strand_is_included.clear();
+        self.strand_is_included.resize(self.strands.len(), false);
+        for (index, (constraint, ends)) in self.constraints.iter().zip(&self.ends).enumerate() {
+            let is_included = !constraint.dormant && constraint.moves(strands);
+            self.is_included.push(is_included);
+            if is_included {
+                self.included.push(index as u32);
+                self.strand_is_included[ends[0].strand as usize] = true;
+                if constraint.second.is_some() {
+                    self.strand_is_included[ends[1].strand as usize] = true;
                 }
             }
         }
     }
 
-    /// Brings the joints that have a part into the order of the parts of a large problem that threads sweep side by side. (Bonds join strands to blocks:
-    /// problems with constraints are left whole.)
-    fn put_in_parts(&mut self, strands: &[HeldStrand], partition: &mut Partition) {
-        let may = !self.is_constrained();
-        let Self { parts, ends, joints, .. } = self;
-        let roots = self.strands.iter().map(|held| strands[*held as usize].held.now().0);
-        let touches = parts.iter().map(|index| {
+    /// Sorts them by the subdomains of a large problem, which threads sweep side by side. (Bilateral constraints join strands
+    /// to blocks: problems with them are not divided.)
+    fn partition_included(&mut self, strands: &[ConstrainedStrand], partition: &mut Partition) {
+        let may = !self.has_bilateral();
+        let Self { included, ends, constraints, .. } = self;
+        let roots = self.strands.iter().map(|strand| strands[*strand as usize].step.now().0);
+        let constraints = included.iter().map(|index| {
             let [first, second] = ends[*index as usize];
-            [Some(first.strand), joints[*index as usize].second.map(|_| second.strand)]
+            [Some(first.strand), constraints[*index as usize].second.map(|_| second.strand)]
         });
-        partition.update(roots, touches, may);
-        partition.put_in_order(parts);
+        partition.update(roots, constraints, may);
+        partition.put_in_order(included);
     }
 }

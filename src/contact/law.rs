@@ -1,20 +1,21 @@
-//! The laws that touches obey, each with its exact solve for one touch alone.
+//! The laws of constraints, each with its exact solve for one constraint alone.
 //!
-//! A touch has a relative displacement `u` over the step (of the first point less that of its partner, m; between rotations rad) and a
-//! force `λ` that acts as +λ on the first and −λ on the partner (N; N·m). A law says which pairs (u, λ) may be. With implicit Euler's
-//! velocity, displacement over the step's seconds, this is the formulation of Daviet, Bertails-Descoubes and Boissieux (2011).
+//! A constraint has a relative displacement `u` over the step (of the first point minus that of its partner, m; between
+//! rotations rad) and a force `λ`, which acts as +λ on the first point and −λ on the partner (N; N·m). A law says which pairs
+//! (u, λ) are possible. With implicit Euler's velocity, displacement over the step's seconds, this is the formulation of
+//! Daviet, Bertails-Descoubes and Boissieux (2011).
 //!
 //! Files:
 //!
-//! - `bond.rs`: Bonds: points or rotations held together (pins, clamps, ties).
+//! - `bilateral.rs`: Bilateral constraints: points or rotations held together (pins, clamps, ties).
 //! - `coefficient.rs`: Friction coefficients that depend on the direction of sliding.
-//! - `contact.rs`: Contact with friction: its exact solve for one touch.
+//! - `contact.rs`: Contact with friction: its exact solve for one contact.
 //! - `linear.rs`: The laws as equations F(λ, u) = 0, linearised where (λ, u) is.
-//! - `response.rs`: The normal response: how deep a contact's surfaces go into each other under a normal force.
+//! - `response.rs`: The normal response: the depth of a contact under a normal force.
 //! - `ring.rs`: A ring that a strand slides through, with Coulomb friction.
 //! - `secular.rs`: The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
-pub mod bond;
+pub mod bilateral;
 pub mod coefficient;
 pub mod contact;
 pub mod linear;
@@ -26,18 +27,18 @@ use std::fmt::Display;
 
 use nalgebra::{Matrix3, Vector3};
 
-use self::bond::Bond;
+use self::bilateral::BilateralLaw;
 use self::contact::{Contact, ContactSolve};
 use self::ring::{Ring, RingSolve};
 use crate::error::Result;
 
-/// What a touch obeys.
+/// The law of a constraint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Law {
     /// Two surfaces that may part but not pass through each other, with friction.
     Contact(Contact),
     /// Two points, or two rotations, held together along some axes.
-    Bond(Bond),
+    Bilateral(BilateralLaw),
     /// A ring that a strand slides through, with friction.
     Ring(Ring),
 }
@@ -47,32 +48,33 @@ impl Law {
     pub fn check(&self, argument: impl Display) -> Result<()> {
         match self {
             Law::Contact(contact) => contact.check(argument),
-            Law::Bond(bond) => bond.check(argument),
+            Law::Bilateral(bilateral) => bilateral.check(argument),
             Law::Ring(ring) => ring.check(argument),
         }
     }
 
-    /// How far (u, λ) is from obeying the law, without dimension: displacements are measured in `length` (m), forces in `force` (N), both
-    /// above zero. Zero exactly where the law holds. For inequalities and friction it is the natural map λ − P(λ − u) of Alart and Curnier
-    /// (1991), P the projection onto what λ may be; for equations it is how far they miss. `step` is the step's seconds.
+    /// How far (u, λ) is from obeying the law, without dimension: displacements in units of `length` (m), forces in units of
+    /// `force` (N), both above zero. Zero exactly where the law holds. For inequalities and friction it is the natural map λ −
+    /// P(λ − u) of Alart and Curnier (1991), P the projection onto the possible λ; for equations it is their residual. `step`
+    /// is the step's seconds.
     pub fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, step: f64, length: f64, force: f64) -> f64 {
         match self {
             Law::Contact(contact) => contact.residual(u, lambda, step, length, force),
-            Law::Bond(bond) => bond.residual(u, lambda, length, force),
+            Law::Bilateral(bilateral) => bilateral.residual(u, lambda, length, force),
             Law::Ring(ring) => ring.residual(u, lambda, length, force),
         }
     }
 }
 
-/// A law with all that its solve for one touch alone needs of W, the displacement `u` per unit of `λ`, worked out beforehand.
+/// A law with all that its solve for one constraint alone needs of W, the displacement `u` per unit of `λ`.
 #[derive(Debug, Clone, Copy)]
 pub enum LawSolve {
     /// See [`Law::Contact`].
     Contact(ContactSolve),
     /// See [`Law::Ring`].
     Ring(RingSolve),
-    /// See [`Law::Bond`].
-    Bond(bond::BondSolve),
+    /// See [`Law::Bilateral`].
+    Bilateral(bilateral::BilateralSolve),
 }
 
 impl LawSolve {
@@ -81,30 +83,30 @@ impl LawSolve {
         match law {
             Law::Contact(contact) => LawSolve::Contact(ContactSolve::new(contact, response, step)),
             Law::Ring(ring) => LawSolve::Ring(RingSolve::new(ring, response)),
-            Law::Bond(bond) => LawSolve::Bond(bond::BondSolve::new(bond, response)),
+            Law::Bilateral(bilateral) => LawSolve::Bilateral(bilateral::BilateralSolve::new(bilateral, response)),
         }
     }
 
-    /// The force λ for which u = W λ + `free` and λ obey the law; exact to rounding.
+    /// The force λ for which u = W λ + `unconstrained` and λ obey the law; exact to rounding.
     #[inline(always)]
-    pub fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
-        self.solve_to(free, secular::EXACT)
+    pub fn solve(&mut self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        self.solve_to(unconstrained, secular::EXACT)
     }
 
-    /// The same for who solves again and again with a `free` that changes less and less, as sweeps do: each solve begins where the last one came to,
-    /// so that this one need not be exact while that one was far off. Friction has the size that the law says; its direction, and the normal force with
-    /// it, are exact once `free` no longer changes.
+    /// The same for repeated solves with an `unconstrained` that changes less and less, as in sweeps: each solve begins where
+    /// the last one ended, so that early ones need not be exact. Friction has the size that the law says; its direction, and
+    /// with it the normal force, are exact once `unconstrained` no longer changes.
     #[inline(always)]
-    pub(super) fn approach(&mut self, free: Vector3<f64>) -> Vector3<f64> {
-        self.solve_to(free, secular::NEAR)
+    pub(super) fn approach(&mut self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        self.solve_to(unconstrained, secular::NEAR)
     }
 
     #[inline(always)]
-    fn solve_to(&mut self, free: Vector3<f64>, last: f64) -> Vector3<f64> {
+    fn solve_to(&mut self, unconstrained: Vector3<f64>, last: f64) -> Vector3<f64> {
         match self {
-            LawSolve::Contact(contact) => contact.solve(free, last),
-            LawSolve::Ring(ring) => ring.solve(free),
-            LawSolve::Bond(bond) => bond.solve(free),
+            LawSolve::Contact(contact) => contact.solve(unconstrained, last),
+            LawSolve::Ring(ring) => ring.solve(unconstrained),
+            LawSolve::Bilateral(bilateral) => bilateral.solve(unconstrained),
         }
     }
 }
@@ -153,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_rotation_diagonalises_whatever_it_is_given() {
+    fn the_rotation_diagonalises_any_matrix() {
         let numbers = [0.0, -0.0, 1.0, -1.0, 1.0 + 1e-15, 0.3, -0.7, 1e-9, -1e-9, 4e-200, 7e180];
         for a in numbers {
             for b in numbers {

@@ -2,21 +2,21 @@
 
 use nalgebra::Vector3;
 
-use super::touch::StrandCurve;
+use super::contact_point::StrandCurve;
 
 /// Newton steps at most.
-const MOST: u32 = 50;
+const MAX_ITERATIONS: u32 = 50;
 
 /// Where the distance to `target` is least near (`element`, `s`), across elements: element and arclength on it. The strand's ends count.
 pub fn nearest(curve: &StrandCurve, mut element: usize, mut s: f64, target: Vector3<f64>) -> (usize, f64) {
-    for _ in 0..MOST {
+    for _ in 0..MAX_ITERATIONS {
         let here = &curve.elements[element];
         let off = curve.position(element, s) - target;
         let tangent = curve.tangent(element, s);
         // d/ds of off·t is 1 + off·t′; where that is small or negative the nearest point is elsewhere, and half a step is safe.
         let bend = off.norm() * here.kappa_squared.sqrt();
-        let way = -off.dot(&tangent) / (1.0 + bend);
-        let (next, last) = (s + way, element + 1 == curve.elements.len());
+        let shift = -off.dot(&tangent) / (1.0 + bend);
+        let (next, last) = (s + shift, element + 1 == curve.elements.len());
         if next > here.length && !last {
             // No further than the next element's beginning at a time: its curve is another.
             (element, s) = (element + 1, 0.0);

@@ -1,31 +1,31 @@
-//! Where two strands are nearest each other near a touch, and how deep they are in each other there.
+//! The depth of contacts between strands, from the points where the strands are nearest.
 
-use super::held_strand::HeldStrand;
+use super::constrained_strand::ConstrainedStrand;
+use super::contact_point::StrandCurve;
 use super::helix_distance::{Arc, closest};
-use super::joint::{Joint, JointKind};
-use super::touch::StrandCurve;
+use super::step_constraint::{ConstraintKind, StepConstraint};
 
-/// From element to element at most so often.
-const MOST: usize = 8;
+/// The largest number of moves from element to element.
+const MAX_HOPS: usize = 8;
 
-/// How deep a touch's surfaces are in each other, m; zero or below where they are apart. A touch of strands keeps the points and the normal that it was
-/// found with, which have slid apart by a step's end: what it misses by more than `tolerance` is asked of the strands themselves, where they are
-/// nearest near these points. Points that have come to the other side are as deep as that.
-pub fn depth(joint: &Joint, strands: &[HeldStrand], tolerance: f64) -> f64 {
-    let depth = -joint.gap;
-    let (JointKind::Hair { margin, .. }, Some(second)) = (joint.kind, joint.second) else { return depth };
+/// The depth of a contact, m; zero or below if the surfaces are apart. A contact between strands keeps the points and the
+/// normal that the search found, which have slid apart by the end of a step: a depth of more than `tolerance` is therefore
+/// measured between the nearest points of the strands near these. Points that have come to the other side have that depth.
+pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], tolerance: f64) -> f64 {
+    let depth = -constraint.gap;
+    let (ConstraintKind::Hair { margin, .. }, Some(second)) = (constraint.kind, constraint.second) else { return depth };
     if depth <= tolerance || depth >= margin {
         return depth;
     }
-    let ends = [joint.first, second];
-    let strands = ends.map(|end| &strands[end.held as usize]);
+    let ends = [constraint.first, second];
+    let strands = ends.map(|end| &strands[end.strand as usize]);
     let curves = strands.map(|strand| strand.path().now);
     let exempt = strands.map(|strand| strand.contact.exempt_length);
-    margin - nearest_distance(curves, exempt, ends.map(|end| (end.station.element, end.station.s)))
+    margin - nearest_distance(curves, exempt, ends.map(|end| (end.material_point.element, end.material_point.s)))
 }
 
-/// The least distance of two curves, beyond what is `exempt` at their roots (m), near two places of theirs (element, arclength in it, m).
-/// Ends count.
+/// The least distance of two curves beyond the lengths that are `exempt` at their roots (m), near these two points (element,
+/// arclength in it, m). Ends count.
 fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(usize, f64); 2]) -> f64 {
     let mut hops = 0;
     loop {
@@ -37,7 +37,7 @@ fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(us
         });
         let pair = closest(&arcs[0], &arcs[1], places.map(|place| place.1), [false; 2]);
         let found = [0, 1].map(|k| (arcs[k].element, pair.s[k]));
-        // Where an arc's end is nearest and the distance still falls beyond it, the next arc is asked.
+        // Where the distance still falls at the end of an arc, the next arc follows.
         places = [0, 1].map(|k| {
             let (element, s) = found[k];
             let elements = curves[k].elements;
@@ -50,7 +50,7 @@ fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(us
             }
         });
         hops += 1;
-        if places == found || hops == MOST {
+        if places == found || hops == MAX_HOPS {
             return pair.apart.norm();
         }
     }

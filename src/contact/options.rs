@@ -1,31 +1,32 @@
-//! How contact is answered, and what strands and bodies are to it.
+//! Options of contact: the model, its tolerances, and the contact properties of strands.
 
 use super::pieces::Wisp;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 
-/// The speed that [`ContactOptions::residual`] is a part of, m/s.
+/// The unit of [`ContactOptions::residual`] for velocities, m/s.
 pub const SPEED: f64 = 0.01;
-/// The acceleration by which a strand's weight is reckoned in it, m/s²: the earth's, whatever the scene's is.
+/// The acceleration in its unit of weight, m/s²: the earth's, whatever the scene's is.
 pub const GRAVITY: f64 = 9.81;
 
-/// How touches answer.
+/// Models of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u32)]
 pub enum ContactModel {
-    /// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface (Bertails et al. 2006, section 5). The cheap
-    /// model: iterated to 2e-3 rad, one search for touches, and surfaces that sink into each other by their force over
-    /// [`ContactOptions::stiffness`].
+    /// The penalty method: a spring and a damper along the normal, viscous friction along the surface (Bertails et al. 2006,
+    /// section 5). The cheap model: iterated to 2e-3 rad, one search for contacts, and surfaces that sink into each other by
+    /// their force over [`ContactOptions::stiffness`].
     Penalty = 1,
-    /// The same with a spring that begins softly (Bergbom 2007, section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k (d − d_reg/2).
+    /// The same with a spring that begins softly (Bergbom 2007, section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k
+    /// (d − d_reg/2).
     RegularisedPenalty = 2,
     /// Signorini's and Coulomb's laws: surfaces do not pass through each other (to [`ContactOptions::tolerance`] at the end of every step), and
-    /// friction is Coulomb's, all touches as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
+    /// friction is Coulomb's, all contacts as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
     #[default]
     Coulomb = 4,
 }
 
 impl ContactModel {
-    /// The model of that number, as the C ABI and snapshots have it. (3 was the number of the same law at a coarser tolerance.)
+    /// The model with this number, as in the C ABI and in snapshots. (3 was the number of the same law at a coarser tolerance.)
     pub fn from_u32(value: u32) -> Option<Self> {
         match value {
             1 => Some(Self::Penalty),
@@ -54,32 +55,32 @@ impl ContactModel {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactOptions {
-    /// Which model.
+    /// The model.
     pub model: ContactModel,
-    /// Whether strands touch each other. False: only bodies, and costs nothing.
+    /// Whether strands collide with each other. False: only with bodies, and costs nothing.
     pub hair: bool,
-    /// Penalty: k of one touch, N/m; above zero.
+    /// Penalty: k of one contact, N/m; above zero.
     pub stiffness: f64,
-    /// Penalty: what k is multiplied by to damp approach and parting, s; zero or above.
+    /// Penalty: the factor of k that damps approach and separation, s; zero or above.
     pub damping: f64,
     /// Regularised penalty: d_reg, m; above zero.
     pub regularisation_depth: f64,
-    /// Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero.
+    /// Coulomb: the largest depth of overlap at the end of a step, m; above zero.
     pub tolerance: f64,
-    /// Coulomb: what the laws of contact and friction may err by where a step is told as converged; 1e-12 to 1. At every touch they hold
-    /// exactly for some force within `residual` times the force (or the lightest strand's weight, where that is more) of the one that
-    /// acts, and some velocity within `residual` times [`SPEED`] of the one that there is: 1e-4 is a ten-thousandth of the force and
-    /// a micrometre a second. (Strands come to within the solver's Newton tolerance of their end.)
+    /// Coulomb: the error of the laws of contact and friction at which a step is reported as converged; 1e-12 to 1. At every
+    /// contact they hold exactly for some force within `residual` times the force (or the lightest strand's weight, where that
+    /// is more) of the one that acts, and some velocity within `residual` times [`SPEED`] of the actual one: 1e-4 is a
+    /// ten-thousandth of the force and a micrometre per second. (Strands converge to the solver's Newton tolerance.)
     pub residual: f64,
-    /// Coulomb: how fast surfaces that are in each other when a step begins (a groom that was given so) are parted, m/s; above
-    /// zero.
+    /// Coulomb: the speed at which surfaces that overlap when a step begins (as in a groom that was drawn so) are separated,
+    /// m/s; above zero.
     pub separation_speed: f64,
-    /// Newton iterations that strands may take together in a step; 1 to 10000. With the penalty models up to ten are a choice, of what to pay for
-    /// a step (`docs/notebook/contact.md` has prices of one, two and four): what springs have not pushed out by then they do in the next steps, and
-    /// strands that were not at the end of the iteration are told as unconverged. More, and with the other models any, are a limit: what has not
-    /// ended by then is taken again, giving way.
+    /// The limit of Newton iterations that strands take together in a step; 1 to 10000. With the penalty models up to ten are a
+    /// choice of what to pay for a step (`docs/notebook/contact.md` has prices of one, two and four): what springs have not
+    /// pushed out by then they do in the next steps, and strands that have not converged are reported. More, and any number
+    /// with the other models, are a limit: what has not converged by then is repeated with constraints that yield.
     pub max_iterations: u32,
-    /// Sweeps of the contact problem's solver in each of them; 1 to 1000000.
+    /// The limit of sweeps of the contact problem's solver in each of them; 1 to 1000000.
     pub max_sweeps: u32,
 }
 
@@ -135,7 +136,7 @@ impl ContactOptions {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
-    /// Coefficient from root to tip, zero or above.
+    /// Coefficient for sliding over the strand from root to tip, zero or above.
     pub along: f64,
     /// Coefficient from tip to root, zero or above.
     pub against: f64,
@@ -173,21 +174,21 @@ impl Friction {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrandContact {
-    /// How far from the centreline the strand begins for bodies, m; zero or above. Its section's radius where nothing else is said.
+    /// Distance of the strand's surface from its centreline for bodies, m; zero or above. The radius of its section by default.
     pub radius: f64,
-    /// The same for other strands: the radius of the wisp that it stands for, m; zero: it touches no strand.
+    /// The same for other strands: the radius of the wisp for which it stands, m; zero: it collides with no strand.
     pub wisp_radius: f64,
     /// Coulomb's coefficient against bodies, multiplied by the body's (hard and Coulomb models).
     pub friction: Friction,
     /// Coulomb's coefficient against strands: the mean of both (hard and Coulomb models).
     pub hair_friction: Friction,
-    /// Viscous friction of a touch, N·s/m (penalty models), against bodies (multiplied by the body's) and strands (the mean of both).
+    /// Viscous friction of a contact, N·s/m (penalty models), against bodies (multiplied by the body's) and strands (the mean of both).
     pub viscous_friction: Friction,
-    /// The first so many metres from the follicle touch nothing; zero or above.
+    /// Length from the follicle without contact, m; zero or above.
     pub exempt_length: f64,
-    /// Bits of the groups that the strand is in.
+    /// Bits of the groups to which the strand belongs.
     pub groups: u32,
-    /// Bits of the groups that it touches: two things touch where each is in a group that the other touches.
+    /// Bits of the groups with which it collides: two things collide if each is in a group of the other's mask.
     pub mask: u32,
 }
 
@@ -207,7 +208,7 @@ impl Default for StrandContact {
 }
 
 impl StrandContact {
-    /// What it is to other strands.
+    /// Its properties for contact with other strands.
     pub(crate) fn wisp(&self) -> Wisp {
         let Self { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = *self;
         Wisp { radius, exempt, group, mask, meets_itself: false }

@@ -1,33 +1,34 @@
-//! A large problem in parts that threads sweep side by side: strands are halved by where their roots are, again and again, each time across the
-//! axis that cuts fewest touches. A touch of two parts' strands waits for both: it is in the smallest part that has them whole (`parts.rs`). Who
-//! sweeps a part changes no result, and how many parts there are depends on the problem alone.
+//! Divides a large problem into subdomains that threads sweep side by side: strands are halved by the positions of their roots,
+//! again and again, each time across the axis that cuts fewest contacts. A contact between strands of two subdomains waits for
+//! both: it is in the smallest subdomain that has them whole (`subdomains.rs`). No result depends on the threads, and the
+//! number of subdomains depends on the problem alone.
 
 use nalgebra::Vector3;
 
-use super::parts::smallest;
+use super::subdomains::smallest;
 
-/// Problems of fewer touches are left whole: what parts would save, handing them out costs.
+/// Problems of fewer contacts are not divided: the overhead would exceed the gain.
 const LEAST: usize = 250;
 /// How often strands are halved.
 const HALVINGS: u32 = 2;
 
-/// The strands that a touch is between; none where its partner is a body.
+/// The strands of a contact; `None` where its partner is a body.
 type Ends = [Option<u32>; 2];
 
-/// Strands and touches in parts. Its memory is kept.
+/// Strands and contacts by subdomain. Its memory is kept.
 #[derive(Debug, Default)]
 pub struct Partition {
-    /// The strands, part after part.
+    /// The strands, subdomain by subdomain.
     pub strands: Vec<u32>,
-    /// Every strand's place among them.
+    /// Every strand's index among them.
     pub place: Vec<u32>,
-    /// Where the strands of every part of the lowest level end.
+    /// The end of every lowest subdomain's strands.
     pub strand_ends: Vec<usize>,
-    /// Where the touches of every part of every level end.
-    pub touch_ends: Vec<usize>,
-    /// The touches, part after part.
-    touches: Vec<u32>,
-    /// Every strand's part.
+    /// The end of the contacts of every subdomain of every level.
+    pub constraint_ends: Vec<usize>,
+    /// The contacts, subdomain by subdomain.
+    constraints: Vec<u32>,
+    /// Every strand's subdomain.
     part: Vec<u32>,
     roots: Vec<Vector3<f64>>,
     between: Vec<Ends>,
@@ -38,12 +39,12 @@ pub struct Partition {
 }
 
 impl Partition {
-    /// Parts strands with these roots, and touches between them, where it `may` and there are enough.
-    pub fn update(&mut self, roots: impl Iterator<Item = Vector3<f64>>, touches: impl Iterator<Item = Ends>, may: bool) {
+    /// Divides strands with these roots, and contacts between them, if it `may` and there are enough.
+    pub fn update(&mut self, roots: impl Iterator<Item = Vector3<f64>>, constraints: impl Iterator<Item = Ends>, may: bool) {
         self.roots.clear();
         self.roots.extend(roots);
         self.between.clear();
-        self.between.extend(touches);
+        self.between.extend(constraints);
         self.part.clear();
         self.part.resize(self.roots.len(), 0);
         let halvings = if may && self.between.len() >= LEAST { HALVINGS } else { 0 };
@@ -62,13 +63,13 @@ impl Partition {
         for (at, strand) in strands.iter().enumerate() {
             place[*strand as usize] = at as u32;
         }
-        self.order_touches(1 << halvings);
+        self.order_constraints(1 << halvings);
     }
 
-    /// Puts a list with an entry a touch into the touches' order.
+    /// Sorts a list with one entry per contact by subdomain.
     pub fn put_in_order(&mut self, list: &mut [u32]) {
         self.order.clear();
-        self.order.extend(self.touches.iter().map(|touch| list[*touch as usize]));
+        self.order.extend(self.constraints.iter().map(|constraint| list[*constraint as usize]));
         list.copy_from_slice(&self.order);
     }
 
@@ -80,14 +81,14 @@ impl Partition {
         }
     }
 
-    /// Halves each of `parts` parts: part k becomes 2 k and 2 k + 1.
-    fn halve(&mut self, parts: u32) {
+    /// Halves each of `subdomains`: number k becomes 2 k and 2 k + 1.
+    fn halve(&mut self, subdomains: u32) {
         let Self { part, roots, between, weights, order, halved, best, .. } = self;
         let mut least = usize::MAX;
         for axis in 0..3 {
             halved.clear();
             halved.resize(part.len(), 0);
-            for k in 0..parts {
+            for k in 0..subdomains {
                 order.clear();
                 order.extend((0..part.len() as u32).filter(|strand| part[*strand as usize] == k));
                 let along = |strand: &u32| roots[*strand as usize][axis];
@@ -99,8 +100,9 @@ impl Partition {
                     before += weight(strand);
                 }
             }
-            let parts_of = |ends: &Ends| ends.map(|strand| strand.map(|strand| halved[strand as usize]));
-            let cut = between.iter().map(parts_of).filter(|parts| matches!(parts, [Some(a), Some(b)] if a != b)).count();
+            let subdomains_of = |ends: &Ends| ends.map(|strand| strand.map(|strand| halved[strand as usize]));
+            let cut =
+                between.iter().map(subdomains_of).filter(|subdomains| matches!(subdomains, [Some(a), Some(b)] if a != b)).count();
             if cut < least {
                 least = cut;
                 std::mem::swap(halved, best);
@@ -109,17 +111,18 @@ impl Partition {
         std::mem::swap(part, best);
     }
 
-    fn order_touches(&mut self, lowest: u32) {
-        let Self { strands, touches, strand_ends, touch_ends, part, between, order, .. } = self;
+    fn order_constraints(&mut self, lowest: u32) {
+        let Self { strands, constraints, strand_ends, constraint_ends, part, between, order, .. } = self;
         order.clear();
         order.extend(between.iter().map(|ends| smallest(lowest, ends.map(|strand| strand.map(|strand| part[strand as usize])))));
-        touches.clear();
-        touches.extend(0..between.len() as u32);
-        touches.sort_by_key(|touch| order[*touch as usize]);
+        constraints.clear();
+        constraints.extend(0..between.len() as u32);
+        constraints.sort_by_key(|constraint| order[*constraint as usize]);
         strand_ends.clear();
         strand_ends.extend((0..lowest).map(|k| strands.partition_point(|strand| part[*strand as usize] <= k)));
-        touch_ends.clear();
-        touch_ends.extend((0..2 * lowest - 1).map(|k| touches.partition_point(|touch| order[*touch as usize] <= k)));
+        constraint_ends.clear();
+        constraint_ends
+            .extend((0..2 * lowest - 1).map(|k| constraints.partition_point(|constraint| order[*constraint as usize] <= k)));
     }
 }
 
@@ -130,52 +133,58 @@ mod tests {
     /// Strands on a grid, each touching its neighbours and the ground.
     fn update(side: u32, may: bool) -> (Partition, Vec<Ends>) {
         let at = |k: u32| Vector3::new(f64::from(k % side), 0.1 * f64::from(k / side), 0.0);
-        let mut touches = Vec::new();
+        let mut constraints = Vec::new();
         for k in 0..side * side {
-            touches.push([Some(k), None]);
-            touches.extend((k % side + 1 < side).then_some([Some(k), Some(k + 1)]));
-            touches.extend((k + side < side * side).then_some([Some(k), Some(k + side)]));
+            constraints.push([Some(k), None]);
+            constraints.extend((k % side + 1 < side).then_some([Some(k), Some(k + 1)]));
+            constraints.extend((k + side < side * side).then_some([Some(k), Some(k + side)]));
         }
         let mut partition = Partition::default();
-        partition.update((0..side * side).map(at), touches.iter().copied(), may);
-        (partition, touches)
+        partition.update((0..side * side).map(at), constraints.iter().copied(), may);
+        (partition, constraints)
     }
 
     #[test]
-    fn every_touch_of_a_part_is_between_its_strands() {
-        let (mut partition, touches) = update(24, true);
-        assert_eq!((partition.strand_ends.len(), partition.touch_ends.len()), (4, 7));
-        let mut order: Vec<u32> = (0..touches.len() as u32).collect();
+    fn every_contact_of_a_subdomain_is_between_its_strands() {
+        let (mut partition, constraints) = update(24, true);
+        assert_eq!((partition.strand_ends.len(), partition.constraint_ends.len()), (4, 7));
+        let mut order: Vec<u32> = (0..constraints.len() as u32).collect();
         partition.put_in_order(&mut order);
         let mut seen = order.clone();
         seen.sort_unstable();
-        assert!(seen.iter().enumerate().all(|(k, touch)| k as u32 == *touch));
+        assert!(seen.iter().enumerate().all(|(k, constraint)| k as u32 == *constraint));
         let start = |k: usize| if k == 0 { 0 } else { partition.strand_ends[k - 1] };
         let leaves = [0..1, 1..2, 2..3, 3..4, 0..2, 2..4, 0..4];
         let mut first = 0;
-        for (k, (end, leaves)) in partition.touch_ends.iter().zip(leaves).enumerate() {
+        for (k, (end, leaves)) in partition.constraint_ends.iter().zip(leaves).enumerate() {
             let own = &partition.strands[start(leaves.start)..start(leaves.end)];
-            for touch in &order[first..*end] {
-                assert!(touches[*touch as usize].iter().flatten().all(|strand| own.contains(strand)), "touch {touch}");
+            for constraint in &order[first..*end] {
+                assert!(
+                    constraints[*constraint as usize].iter().flatten().all(|strand| own.contains(strand)),
+                    "touch {constraint}"
+                );
             }
-            // Balanced, by touches, to a row of the grid.
-            let share = (end - first) as f64 / touches.len() as f64;
-            assert!(if k < 4 { (0.2..0.27).contains(&share) } else { share > 0.0 && share < 0.05 }, "part {k}: {share}");
+            // Balanced by contacts, to a row of the grid.
+            let fraction = (end - first) as f64 / constraints.len() as f64;
+            assert!(
+                if k < 4 { (0.2..0.27).contains(&fraction) } else { fraction > 0.0 && fraction < 0.05 },
+                "part {k}: {fraction}"
+            );
             first = *end;
         }
-        assert_eq!((first, start(4)), (touches.len(), partition.strands.len()));
+        assert_eq!((first, start(4)), (constraints.len(), partition.strands.len()));
         for (strand, place) in partition.place.iter().enumerate() {
             assert_eq!(partition.strands[*place as usize], strand as u32);
         }
     }
 
     #[test]
-    fn what_is_small_or_may_not_be_parted_stays_in_order() {
+    fn small_or_indivisible_problems_stay_in_order() {
         for (side, may) in [(8, true), (24, false)] {
-            let (mut partition, touches) = update(side, may);
-            let mut order: Vec<u32> = (0..touches.len() as u32).collect();
+            let (mut partition, constraints) = update(side, may);
+            let mut order: Vec<u32> = (0..constraints.len() as u32).collect();
             partition.put_in_order(&mut order);
-            assert!(partition.strand_ends == [partition.strands.len()] && partition.touch_ends == [touches.len()]);
+            assert!(partition.strand_ends == [partition.strands.len()] && partition.constraint_ends == [constraints.len()]);
             assert!(order.is_sorted() && partition.strands.is_sorted());
         }
     }

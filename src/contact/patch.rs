@@ -1,6 +1,6 @@
-//! Where sweeps over a large problem do not get on it is for a few touches that hang together closely: those around the worst are taken
-//! out, and solved at once with their neighbours as they are (Schwarz's method, where it is needed). Patches that share no block do not see
-//! each other.
+//! Patches: where sweeps over a large problem make no progress it is for a few closely coupled contacts. Those around the
+//! largest residuals are solved at once, with their neighbours fixed (Schwarz's method, where it is needed). Patches that share
+//! no block are independent.
 
 use nalgebra::Vector3;
 
@@ -9,40 +9,40 @@ use super::contact_space::ContactSpace;
 use super::gauss_seidel::Report;
 use super::system::System;
 use crate::meter::Meter;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
-/// Most patches at a time, and most rows of one.
-const MOST: usize = 8;
-const ROWS: usize = 40;
-/// The residual that is asked of a patch, as a part of what is asked of the problem, and the part of its own that a patch may leave.
+/// The largest number of patches at a time, and of rows in one.
+const MAX_PATCHES: usize = 8;
+const MAX_ROWS: usize = 40;
+/// The tolerance of a patch as a fraction of that of the problem, and as a fraction of its first residual.
 const AIM: f64 = 0.3;
 const PART: f64 = 0.1;
 
-/// The memory of the search.
+/// Memory of patches.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Patches {
     /// The residual of each row.
-    misses: Vec<f64>,
+    residuals: Vec<f64>,
     /// Rows that are in a patch.
     taken: Vec<bool>,
     blocks: Vec<usize>,
-    /// The turn of the last patch that has a block.
+    /// The turn of the last patch that includes a block.
     turns: Vec<u32>,
     patches: Vec<Patch>,
 }
 
-/// Some touches.
+/// Some contacts.
 #[derive(Debug, Clone, Default)]
 struct Patch {
     rows: Vec<u32>,
-    /// After the patches before that share a block with it.
+    /// Its turn: after the earlier patches that share a block with it.
     turn: u32,
     newton: BlockNewton,
 }
 
 impl Patches {
-    /// Finds the patches around the touches that miss their laws most, and solves them for what is asked of the problem, or part of
-    /// what they miss it by. Gives the work that it took.
+    /// Finds the patches around the largest residuals and solves them to the problem's tolerance, or to a fraction of their
+    /// residuals. Returns the cost.
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, when to stop and who works")]
     pub(super) fn solve<S: Default + Send>(
         &mut self,
@@ -51,14 +51,14 @@ impl Patches {
         forces: &mut [Vector3<f64>],
         report: &Report,
         goal: Goal,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         meter: &Meter,
     ) -> u64 {
         let tolerance = goal.tolerance;
-        let aim = Goal { tolerance: AIM * tolerance, part: PART, most_work: goal.most_work / MOST as u64 };
+        let aim = Goal { tolerance: AIM * tolerance, part: PART, max_work: goal.max_work / MAX_PATCHES as u64 };
         self.begin(space, system, forces, report);
         let mut patches = std::mem::take(&mut self.patches);
-        patches.resize_with(MOST, Patch::default);
+        patches.resize_with(MAX_PATCHES, Patch::default);
         let found =
             patches.iter_mut().map(|patch| self.find(system, forces, tolerance, patch)).take_while(|found| *found).count();
         let mut rest = &mut patches[..found];
@@ -67,7 +67,7 @@ impl Patches {
             let turn = first.turn;
             let (now, later) = rest.split_at_mut(rest.partition_point(|patch| patch.turn == turn));
             let (shared, all) = (&*system, &*forces);
-            crew.for_each_task(now, 1, 1, |patches, _| {
+            workers.for_each_task(now, 1, 1, |patches, _| {
                 for Patch { rows, newton, .. } in patches {
                     newton.solve(space, shared, all, rows, report, aim, meter);
                 }
@@ -82,25 +82,26 @@ impl Patches {
         work
     }
 
-    /// Looks at all rows.
+    /// Computes all residuals.
     fn begin(&mut self, space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) {
         self.taken.clear();
         self.taken.resize(system.rows.len(), false);
         self.turns.clear();
         self.turns.resize(system.blocks(), 0);
-        self.misses.clear();
-        self.misses.extend(system.rows.iter().zip(forces).map(|(row, force)| {
-            let law = &space.touches()[row.touch].law;
-            report.miss(law, system.relative(row), *force, space.step())
+        self.residuals.clear();
+        self.residuals.extend(system.rows.iter().zip(forces).map(|(row, force)| {
+            let law = &space.constraints()[row.constraint].law;
+            report.law_residual(law, system.relative(row), *force, space.step())
         }));
     }
 
-    /// A patch: the rows that press, or miss their law, around the one that misses it most of those in no patch yet, nearest first by the blocks
-    /// that they share, then ascending. False where none misses by more than `tolerance`.
+    /// Finds a patch: the rows that press or have a residual, around the one with the largest residual of those in no patch
+    /// yet; the nearest by shared blocks first, then ascending. False if no residual exceeds `tolerance`.
     fn find(&mut self, system: &System, forces: &[Vector3<f64>], tolerance: f64, patch: &mut Patch) -> bool {
         let Patch { rows, turn, .. } = patch;
-        let free = self.misses.iter().enumerate().filter(|(row, _)| !self.taken[*row]);
-        let Some((worst, _)) = free.filter(|(_, miss)| **miss > tolerance).max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))
+        let free = self.residuals.iter().enumerate().filter(|(row, _)| !self.taken[*row]);
+        let Some((worst, _)) =
+            free.filter(|(_, law_residual)| **law_residual > tolerance).max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))
         else {
             return false;
         };
@@ -112,11 +113,11 @@ impl Patches {
         };
         self.blocks.extend(blocks_of(worst));
         let mut next = 0;
-        while next < self.blocks.len() && rows.len() < ROWS {
+        while next < self.blocks.len() && rows.len() < MAX_ROWS {
             for row in system.rows_of(self.blocks[next]) {
                 let index = *row as usize;
-                let counts = forces[index] != Vector3::zeros() || self.misses[index] > tolerance;
-                if counts && rows.len() < ROWS && !rows.contains(row) {
+                let counts = forces[index] != Vector3::zeros() || self.residuals[index] > tolerance;
+                if counts && rows.len() < MAX_ROWS && !rows.contains(row) {
                     rows.push(*row);
                     self.taken[index] = true;
                     for block in blocks_of(index) {

@@ -1,12 +1,14 @@
-//! Whether a strand that has stepped freely stayed clear of a body all the way: a bound on the distance, place by place and time by time.
+//! Whether a strand that has stepped unconstrained stayed clear of a body all the time: a bound on the distance, piece by piece
+//! and time by time.
 //!
-//! As in the exact search, points go straight in the body's turning axes. A piece of strand in a part of the step lies within a ball about where its
-//! middle is in the middle of that part, or around its chord then; pieces whose ball or chord may meet the surface are halved, along the strand or in time.
+//! As in the exact search, points move straight in the body's turning axes. A piece of strand in a part of the step lies within
+//! a ball about its middle in the middle of that part, or around its chord then; pieces whose ball or chord may meet the
+//! surface are halved, along the strand or in time.
 
 use nalgebra::Vector3;
 
-use super::allowance::Allowance;
 use super::body::BodyAt;
+use super::permitted_overlap::PermittedOverlap;
 use super::shape::{Bounds, Separator, Sides};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
@@ -14,32 +16,32 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
-/// Most balls, or chords, of a strand and a body whose distance is measured.
-const MOST_BALLS: u32 = 256;
-/// Most pieces of an element that wait to be measured: halves of halves.
-const MOST_PIECES: usize = 24;
+/// The largest number of balls, or chords, measured for a strand and a body.
+const MAX_BALLS: u32 = 256;
+/// The largest number of pieces of an element in the queue: halves of halves.
+const MAX_PIECES: usize = 24;
 
-/// A strand's way through a step, and what of it touches bodies.
+/// A strand's path through a step, with its contact properties.
 #[derive(Debug, Clone, Copy)]
 pub struct FreePath<'a> {
     /// The elements' lengths, m.
     pub lengths: &'a [f64],
-    /// Where the root is at the start and at the end, world.
+    /// The root's pose at the start and at the end, world.
     pub root: [Frame; 2],
     /// The curvatures then.
     pub curvatures: [&'a [[f64; 3]]; 2],
-    /// Arclength from the root over which nothing is touched, m.
+    /// Arclength from the root without contact, m.
     pub exempt: f64,
     /// The strand's radius, m.
     pub radius: f64,
-    /// How far it may be in bodies.
-    pub allowance: Option<&'a Allowance>,
+    /// Its permitted overlap.
+    pub permitted_overlap: Option<&'a PermittedOverlap>,
 }
 
 /// Lists that are used again from call to call.
 #[derive(Debug, Clone, Default)]
-pub struct Scratch {
-    /// At the start and the end, world axes; of the start nothing until it is asked for.
+pub struct ClearanceScratch {
+    /// Elements at the start and the end, world axes; those at the start only when needed.
     world: [Vec<ElementState<f64>>; 2],
     /// The same in the body's axes.
     elements: [Vec<ElementState<f64>>; 2],
@@ -47,7 +49,7 @@ pub struct Scratch {
     near: Vec<(usize, f64)>,
 }
 
-impl Scratch {
+impl ClearanceScratch {
     /// Brings the elements at one end of the step into the axes of a body that is there then.
     fn turn(&mut self, end: usize, body: &Frame) {
         let axes = rotation_matrix(body);
@@ -66,8 +68,8 @@ impl Scratch {
 struct Piece {
     /// From arclength to arclength of the element.
     along: [f64; 2],
-    /// Where its middle is when that part begins and ends, the body's axes.
-    way: [Vector3<f64>; 2],
+    /// Position of its middle at the beginning and the end of that part, the body's axes.
+    path: [Vector3<f64>; 2],
     /// That part of the step, from 0 to 1.
     time: [f64; 2],
 }
@@ -77,8 +79,8 @@ struct Piece {
 struct Chord {
     /// From arclength to arclength of the element.
     along: [f64; 2],
-    /// Where its first end and its second are when that part begins and ends, the body's axes.
-    ways: [[Vector3<f64>; 2]; 2],
+    /// Positions of its first and its second end at the beginning and the end of that part, the body's axes.
+    paths: [[Vector3<f64>; 2]; 2],
     /// That part of the step, from 0 to 1.
     time: [f64; 2],
 }
@@ -93,8 +95,8 @@ struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// Where the material point at an arclength of it is.
-    fn way(&self, s: f64) -> [Vector3<f64>; 2] {
+    /// Position of the material point at an arclength of it, at the start and at the end.
+    fn path(&self, s: f64) -> [Vector3<f64>; 2] {
         [0, 1].map(|end| self.origins[end] + Vector3::from(self.states[end].point(s).position))
     }
 
@@ -111,16 +113,21 @@ impl Element<'_> {
     }
 }
 
-/// Whether distances tell that a strand is clear of a body: not of a mesh that deforms, and not of one that acts on one side, behind which
+/// Whether distances decide if a strand is clear of a body: not of a deforming mesh, and not of a one-sided one, behind which
 /// distances jump.
-pub fn can_tell(body: &BodyAt) -> bool {
+pub fn can_decide(body: &BodyAt) -> bool {
     !body.deforms() && body.shape.mesh().is_none_or(|mesh| !matches!(mesh.sides(), Sides::Front { .. }))
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its allowance. False also where 256 balls do not decide
-    /// it, and beside a body for which distances cannot ([`can_tell`]).
-    pub fn is_clear_of<'a>(&self, bodies: impl IntoIterator<Item = &'a BodyAt<'a>>, spare: f64, scratch: &mut Scratch) -> bool {
+    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
+    /// where 256 balls do not decide it, and for a body whose distances cannot ([`can_decide`]).
+    pub fn is_clear_of<'a>(
+        &self,
+        bodies: impl IntoIterator<Item = &'a BodyAt<'a>>,
+        spare: f64,
+        scratch: &mut ClearanceScratch,
+    ) -> bool {
         let (mut around, length) = (None, self.lengths.iter().sum::<f64>());
         bodies.into_iter().all(|body| {
             let around = around.get_or_insert_with(|| self.around(scratch));
@@ -131,8 +138,8 @@ impl FreePath<'_> {
         })
     }
 
-    /// A box around all that its surface comes to.
-    fn around(&self, scratch: &mut Scratch) -> Bounds {
+    /// A box around its surface at all times.
+    fn around(&self, scratch: &mut ClearanceScratch) -> Bounds {
         scratch.world[0].clear();
         self.place(1, scratch);
         let (mut around, mut start) = (Bounds::EMPTY, 0.0);
@@ -147,17 +154,17 @@ impl FreePath<'_> {
         around.grown(self.radius)
     }
 
-    fn is_clear_of_one(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
-        if !can_tell(body) {
+    fn is_clear_of_one(&self, body: &BodyAt, spare: f64, scratch: &mut ClearanceScratch) -> bool {
+        if !can_decide(body) {
             return false;
         }
-        // A sheet has no inside to be in: what goes through it is on its other side.
+        // A sheet has no inside: what goes through it is on its other side.
         let is_sheet = body.shape.mesh().is_some_and(|mesh| mesh.sides() == Sides::Both);
-        let (path, spare) = if is_sheet { (Self { allowance: None, ..*self }, 0.0) } else { (*self, spare) };
+        let (path, spare) = if is_sheet { (Self { permitted_overlap: None, ..*self }, 0.0) } else { (*self, spare) };
         path.stays_out(body, spare, scratch)
     }
 
-    fn stays_out(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
+    fn stays_out(&self, body: &BodyAt, spare: f64, scratch: &mut ClearanceScratch) -> bool {
         let roots = [body.start.inverse().compose(&self.root[0]), body.end.inverse().compose(&self.root[1])];
         scratch.turn(1, &body.end);
         self.find_near(&roots, body, spare, scratch);
@@ -169,8 +176,8 @@ impl FreePath<'_> {
         }
         scratch.turn(0, &body.start);
         let origins = roots.map(|root| root.origin);
-        let Scratch { elements: [first, second], near, .. } = scratch;
-        let mut balls = MOST_BALLS;
+        let ClearanceScratch { elements: [first, second], near, .. } = scratch;
+        let mut balls = MAX_BALLS;
         near.iter().all(|(k, start)| {
             let element = Element { states: [&first[*k], &second[*k]], origins, start: *start };
             self.is_element_clear(body, &element, spare, &mut balls)
@@ -178,7 +185,7 @@ impl FreePath<'_> {
     }
 
     /// Places the elements at the step's start (0) or end (1).
-    fn place(&self, end: usize, scratch: &mut Scratch) {
+    fn place(&self, end: usize, scratch: &mut ClearanceScratch) {
         let lengths = self.lengths.iter().copied();
         element_states(rotation_matrix(&self.root[end]), lengths, self.curvatures[end], &mut scratch.world[end]);
     }
@@ -197,7 +204,7 @@ impl FreePath<'_> {
     }
 
     /// Finds the elements that may be near the body, from where they end and from how far they can have come.
-    fn find_near(&self, roots: &[Frame; 2], body: &BodyAt, spare: f64, scratch: &mut Scratch) {
+    fn find_near(&self, roots: &[Frame; 2], body: &BodyAt, spare: f64, scratch: &mut ClearanceScratch) {
         let to = &roots[1];
         let (slope, needed) = (body.shape.distance_slope(), self.radius + body.thickness - spare);
         let (separator, mut start) = (body.shape.separator(), 0.0);
@@ -236,7 +243,9 @@ impl FreePath<'_> {
 
     /// How near to a body's surface a piece of an element may be: within its own radius, as a rule.
     fn needed(&self, body: &BodyAt, element: &Element, [from, to]: [f64; 2], spare: f64) -> f64 {
-        let sunk = self.allowance.map_or(0.0, |allowance| allowance.least_sunk(element.start + from, element.start + to));
+        let sunk = self
+            .permitted_overlap
+            .map_or(0.0, |permitted_overlap| permitted_overlap.least_sunk(element.start + from, element.start + to));
         self.radius + body.thickness - spare - sunk
     }
 
@@ -252,38 +261,39 @@ impl FreePath<'_> {
         chords: &mut u32,
     ) -> bool {
         let length = element.states[0].length;
-        let mut pieces = [Chord::default(); MOST_PIECES];
-        pieces[0] = Chord { along: [exempt, length], ways: [element.way(exempt), element.way(length)], time: [0.0, 1.0] };
+        let mut pieces = [Chord::default(); MAX_PIECES];
+        pieces[0] = Chord { along: [exempt, length], paths: [element.path(exempt), element.path(length)], time: [0.0, 1.0] };
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let Chord { along: [from, to], ways, time } = pieces[count];
+            let Chord { along: [from, to], paths, time } = pieces[count];
             if *chords == 0 {
                 return false;
             }
             *chords -= 1;
             let needed = self.needed(body, element, [from, to], spare);
             let off_chord = element.off_chord(to - from);
-            let half_way = 0.5 * (ways[0][1] - ways[0][0]).norm_squared().max((ways[1][1] - ways[1][0]).norm_squared()).sqrt();
-            let midway = ways.map(|[a, b]| 0.5 * (a + b));
+            let half_path =
+                0.5 * (paths[0][1] - paths[0][0]).norm_squared().max((paths[1][1] - paths[1][0]).norm_squared()).sqrt();
+            let midway = paths.map(|[a, b]| 0.5 * (a + b));
             let plane = separator.of_segment(midway);
-            if plane.distance_of(ways.into_iter().flatten()) >= needed + off_chord {
+            if plane.distance_of(paths.into_iter().flatten()) >= needed + off_chord {
                 continue;
             }
-            if plane.distance < needed - (off_chord + half_way) || count + 2 > MOST_PIECES {
+            if plane.distance < needed - (off_chord + half_path) || count + 2 > MAX_PIECES {
                 return false;
             }
-            if off_chord >= half_way {
+            if off_chord >= half_path {
                 let s = 0.5 * (from + to);
-                let whole = element.way(s);
+                let whole = element.path(s);
                 let middle = time.map(|t: f64| whole[0] + (whole[1] - whole[0]) * t);
-                pieces[count] = Chord { along: [from, s], ways: [ways[0], middle], time };
-                pieces[count + 1] = Chord { along: [s, to], ways: [middle, ways[1]], time };
+                pieces[count] = Chord { along: [from, s], paths: [paths[0], middle], time };
+                pieces[count + 1] = Chord { along: [s, to], paths: [middle, paths[1]], time };
             } else {
                 let t = 0.5 * (time[0] + time[1]);
-                pieces[count] = Chord { along: [from, to], ways: [0, 1].map(|k| [ways[k][0], midway[k]]), time: [time[0], t] };
+                pieces[count] = Chord { along: [from, to], paths: [0, 1].map(|k| [paths[k][0], midway[k]]), time: [time[0], t] };
                 pieces[count + 1] =
-                    Chord { along: [from, to], ways: [0, 1].map(|k| [midway[k], ways[k][1]]), time: [t, time[1]] };
+                    Chord { along: [from, to], paths: [0, 1].map(|k| [midway[k], paths[k][1]]), time: [t, time[1]] };
             }
             count += 2;
         }
@@ -293,44 +303,44 @@ impl FreePath<'_> {
     /// By balls about the middles of pieces, for shapes that only know how far they are from a point.
     fn is_clear_by_balls(&self, body: &BodyAt, element: &Element, exempt: f64, spare: f64, balls: &mut u32) -> bool {
         let (length, slope) = (element.states[0].length, body.shape.distance_slope());
-        let mut pieces = [Piece::default(); MOST_PIECES];
+        let mut pieces = [Piece::default(); MAX_PIECES];
         // (The middle of its chord does for the whole element, and is at hand; it is no point of the strand, so that an overlap there proves nothing.)
-        let way = if exempt > 0.0 { element.way(0.5 * (exempt + length)) } else { element.chord_middles() };
-        pieces[0] = Piece { along: [exempt, length], way, time: [0.0, 1.0] };
+        let path = if exempt > 0.0 { element.path(0.5 * (exempt + length)) } else { element.chord_middles() };
+        pieces[0] = Piece { along: [exempt, length], path, time: [0.0, 1.0] };
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let Piece { along: [from, to], way: [a, b], time } = pieces[count];
+            let Piece { along: [from, to], path: [a, b], time } = pieces[count];
             if *balls == 0 {
                 return false;
             }
             *balls -= 1;
             let needed = self.needed(body, element, [from, to], spare);
-            let (half_piece, half_way) = (0.5 * (to - from), 0.5 * (b - a).norm());
-            let enough = needed + slope * (half_piece + half_way);
+            let (half_piece, half_path) = (0.5 * (to - from), 0.5 * (b - a).norm());
+            let enough = needed + slope * (half_piece + half_path);
             let middle = 0.5 * (a + b);
             let distance = body.shape.distance(middle, enough);
             if distance >= enough {
                 continue;
             }
-            if count + 2 > MOST_PIECES {
+            if count + 2 > MAX_PIECES {
                 return false;
             }
             if distance < needed && half_piece < 0.5 * length {
                 return false;
             }
-            if half_piece >= half_way {
+            if half_piece >= half_path {
                 let s = 0.5 * (from + to);
                 for along in [[from, s], [s, to]] {
-                    let whole = element.way(0.5 * (along[0] + along[1]));
+                    let whole = element.path(0.5 * (along[0] + along[1]));
                     let at = |t: f64| whole[0] + (whole[1] - whole[0]) * t;
-                    pieces[count] = Piece { along, way: time.map(at), time };
+                    pieces[count] = Piece { along, path: time.map(at), time };
                     count += 1;
                 }
             } else {
                 let t = 0.5 * (time[0] + time[1]);
-                for (way, time) in [([a, middle], [time[0], t]), ([middle, b], [t, time[1]])] {
-                    pieces[count] = Piece { along: [from, to], way, time };
+                for (path, time) in [([a, middle], [time[0], t]), ([middle, b], [t, time[1]])] {
+                    pieces[count] = Piece { along: [from, to], path, time };
                     count += 1;
                 }
             }
@@ -349,16 +359,24 @@ mod tests {
     const LENGTH: f64 = 0.1;
     const RADIUS: f64 = 5e-5;
 
-    /// Whether a straight strand along x that goes from place to place stays clear of a body that goes from pose to pose.
-    fn is_clear(shape: &Shape, way: [Vector3<f64>; 2], radius: f64, allowance: Option<&Allowance>, poses: [Frame; 2]) -> bool {
+    /// Whether a straight strand along x that moves between these positions stays clear of a body that moves between these
+    /// poses.
+    fn is_clear(
+        shape: &Shape,
+        path: [Vector3<f64>; 2],
+        radius: f64,
+        permitted_overlap: Option<&PermittedOverlap>,
+        poses: [Frame; 2],
+    ) -> bool {
         let rows = [[0.0; 3]; 4];
-        let root = way.map(|origin| Frame { origin, ..Frame::default() });
-        let path = FreePath { lengths: &[LENGTH / 4.0; 4], root, curvatures: [&rows, &rows], exempt: 0.01, radius, allowance };
-        path.is_clear_of([&BodyAt::new(0, shape, poses[0], poses[1], 0.0)], 1e-5, &mut Scratch::default())
+        let root = path.map(|origin| Frame { origin, ..Frame::default() });
+        let path =
+            FreePath { lengths: &[LENGTH / 4.0; 4], root, curvatures: [&rows, &rows], exempt: 0.01, radius, permitted_overlap };
+        path.is_clear_of([&BodyAt::new(0, shape, poses[0], poses[1], 0.0)], 1e-5, &mut ClearanceScratch::default())
     }
 
-    fn still(shape: &Shape, way: [Vector3<f64>; 2]) -> bool {
-        is_clear(shape, way, RADIUS, None, [Frame::default(); 2])
+    fn still(shape: &Shape, path: [Vector3<f64>; 2]) -> bool {
+        is_clear(shape, path, RADIUS, None, [Frame::default(); 2])
     }
 
     fn at(x: f64, y: f64, z: f64) -> Vector3<f64> {
@@ -398,7 +416,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_that_comes_meets_it_too() {
+    fn an_approaching_body_hits_the_strand() {
         for ball in balls() {
             let strand = [at(0.0, 0.0, 0.05); 2];
             let goes = |to: Vector3<f64>, angle: f64| {
@@ -412,11 +430,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_drawn_into_a_body_may_stay_there() {
-        let allowance = Allowance { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
+    fn a_permitted_overlap_with_a_body_may_stay() {
+        let permitted_overlap = PermittedOverlap { along: vec![0.0], wisp_fractions: vec![1.0], sunk: vec![0.002] };
         for ball in balls() {
             let pose = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }; 2];
-            let is_clear = |z: f64| is_clear(&ball, [at(0.0, 0.0, z); 2], RADIUS, Some(&allowance), pose);
+            let is_clear = |z: f64| is_clear(&ball, [at(0.0, 0.0, z); 2], RADIUS, Some(&permitted_overlap), pose);
             assert!(is_clear(0.0282) && !is_clear(0.0279));
         }
     }
@@ -437,22 +455,24 @@ mod tests {
                 let tooth = Shape::new_capsule(axis - along, axis + along, nearest - RADIUS - gap).unwrap();
                 let root = [0.0, 3e-4].map(|y| Frame { origin: at(0.0, y, 0.0), ..Frame::default() });
                 let lengths = &[LENGTH / 4.0; 4];
-                let path = FreePath { lengths, root, curvatures: [&rows, &rows], exempt: 0.01, radius: RADIUS, allowance: None };
+                let path =
+                    FreePath { lengths, root, curvatures: [&rows, &rows], exempt: 0.01, radius: RADIUS, permitted_overlap: None };
                 let body = BodyAt::new(0, &tooth, Frame::default(), Frame::default(), 0.0);
-                path.is_clear_of([&body], 0.0, &mut Scratch::default())
+                path.is_clear_of([&body], 0.0, &mut ClearanceScratch::default())
             };
             assert!(passes(1e-6) && !passes(-1e-6), "{curvature}");
         }
     }
 
-    /// On both sides of a sheet there is room, and no way from one to the other, whatever the strand may be sunk in bodies that have an inside.
+    /// There is room on both sides of a sheet, and no path from one to the other, whatever the strand's permitted overlap with
+    /// bodies that have an inside.
     #[test]
     fn a_sheet_is_not_passed_through() {
         let (sheet, front) = (square(Sides::Both), square(Sides::Front { depth: 0.01 }));
-        let allowance = Allowance { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
-        for (radius, allowance) in [(RADIUS, None), (0.0, None), (RADIUS, Some(&allowance))] {
+        let permitted_overlap = PermittedOverlap { along: vec![0.0], wisp_fractions: vec![1.0], sunk: vec![0.002] };
+        for (radius, permitted_overlap) in [(RADIUS, None), (0.0, None), (RADIUS, Some(&permitted_overlap))] {
             let is_clear = |from: f64, to: f64| {
-                is_clear(&sheet, [at(-0.05, 0.0, from), at(-0.05, 0.01, to)], radius, allowance, [Frame::default(); 2])
+                is_clear(&sheet, [at(-0.05, 0.0, from), at(-0.05, 0.01, to)], radius, permitted_overlap, [Frame::default(); 2])
             };
             assert!(is_clear(0.001, 0.02) && is_clear(-0.001, -0.02));
             for depth in [1e-4, 1e-3, 0.05] {
@@ -462,7 +482,7 @@ mod tests {
         // Behind a mesh that acts on one side distances jump.
         assert!(
             !still(&front, [at(-0.05, 0.0, 0.01), at(-0.05, 0.0, -0.1)])
-                && !can_tell(&BodyAt::new(0, &front, Frame::default(), Frame::default(), 0.0))
+                && !can_decide(&BodyAt::new(0, &front, Frame::default(), Frame::default(), 0.0))
         );
     }
 }

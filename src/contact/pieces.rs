@@ -1,17 +1,17 @@
-//! Strands cut into pieces that bend little, each known by its chord: what the search for pairs works on.
+//! Strands cut into pieces that bend little, each represented by its chord: the input of the search for pairs.
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::touch::StrandCurve;
+use super::contact_point::StrandCurve;
 use crate::error::{Result, check_not_negative};
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
-/// In so many parts pieces are placed, whoever does it.
+/// The number of tasks that place pieces, whatever the threads.
 const PARTS: usize = 32;
 
-/// What a strand is to other strands.
+/// Contact properties of a strand towards other strands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wisp {
     /// Contact radius, m, zero or above: that of the wisp of hair for which the strand stands. 0: meets no strand.
@@ -48,8 +48,8 @@ impl Wisp {
 }
 
 /// A piece bends by at most this, rad: two such arcs have one closest pair, unless they lie along each other.
-const MOST_BEND: f64 = 0.5;
-/// Less than this share of the contact radius off its chord, a piece may bend by more.
+const MAX_BEND: f64 = 0.5;
+/// A piece less than this fraction of the contact radius off its chord may bend by more.
 const FINE: f64 = 0.05;
 
 /// A piece of an element.
@@ -65,11 +65,11 @@ pub struct Piece {
     pub along: f64,
     /// The node at its first end; the next node is at its other end.
     pub node: u32,
-    /// Whether a piece of the same strand goes on at either end.
+    /// Whether a piece of the same strand follows at either end.
     pub continued: [bool; 2],
 }
 
-/// How strands are cut.
+/// The pieces of strands.
 #[derive(Debug, Default)]
 pub struct Pieces {
     /// From strand to strand, root to tip.
@@ -91,13 +91,13 @@ fn pieces_of(bend: f64, length: f64, radius: f64) -> usize {
         // A coil so tight that the whole of it is as good as its axis.
         return 1;
     }
-    let by_bend = bend * length / MOST_BEND;
+    let by_bend = bend * length / MAX_BEND;
     let by_sagitta = length * (bend / (8.0 * loose)).sqrt();
     (by_bend.min(by_sagitta).ceil() as usize).max(1)
 }
 
 impl Pieces {
-    /// Cuts the strands as they are bent in `curve`.
+    /// Cuts the strands, bent as in `curve`.
     pub fn cut<'a>(&mut self, wisps: &[Wisp], curve: impl Fn(usize) -> StrandCurve<'a>) {
         self.pieces.clear();
         self.nodes = 0;
@@ -142,12 +142,12 @@ impl Pieces {
         next
     }
 
-    /// Where the nodes are and how far each piece is off its chord, of all strands, by `curve`.
+    /// The positions of all nodes, and the distance of each piece from its chord, for these curves.
     pub(crate) fn place<'a, S: Default + Send>(
         &self,
         wisps: &[Wisp],
         curve: impl Fn(usize) -> StrandCurve<'a> + Sync,
-        crew: &Crew<S>,
+        workers: &WorkerSet<S>,
         parts: &mut Vec<PlacedPieces>,
         placed: &mut PlacedPieces,
     ) {
@@ -156,7 +156,7 @@ impl Pieces {
             let at = |k: usize| self.next_element(self.pieces.len() * k / PARTS);
             part.pieces = at(k)..at(k + 1);
         }
-        crew.for_each_task(parts, 1, 1, |parts, _| {
+        workers.for_each_task(parts, 1, 1, |parts, _| {
             for part in parts {
                 part.place(self, wisps, &curve);
             }
@@ -170,7 +170,7 @@ impl Pieces {
     }
 }
 
-/// Where pieces are.
+/// The positions of pieces.
 #[derive(Debug, Default)]
 pub struct PlacedPieces {
     pieces: Range<usize>,

@@ -1,48 +1,53 @@
-//! Touches that give way are brought out after all, where there is a way: where an island has come to its end with them, their springs push by as much
-//! more as their surfaces are in each other, again and again. (An augmented Lagrangian: forces are found from outside the contact problem, in
-//! which nothing turns stiff. What no force parts stays as deep as it is.)
+//! Removes the depth of yielding contacts. After the island has converged with them, each spring's offset grows by the depth
+//! that is left, again and again: an augmented Lagrangian, whose forces are found outside the contact problem, in which nothing
+//! becomes stiff. Contacts that no force separates stay as deep as they are.
 
 use nalgebra::Vector3;
 
-use super::held_strand::HeldStrand;
+use super::constrained_strand::ConstrainedStrand;
 use super::island::Island;
-use super::joint::{Give, Joint, JointEnd};
 use super::options::ContactOptions;
+use super::step_constraint::{ConstraintEnd, Give, StepConstraint};
 
-/// Touches are pushed on as long as that leaves the deepest at this part of its depth, and so often at most between two searches for touches.
+/// Pushing goes on while it reduces the largest depth to this fraction, and at most this often between two searches for
+/// contacts.
 const GETS_ON: f64 = 0.7;
-const MOST: u32 = 10;
+const MAX_PUSHES: u32 = 10;
 
-/// Touches that press harder than what takes the lighter of their strands so many times its own length in a step are pushed no further: what they
-/// stand between would be flung away.
+/// A contact is pushed no further if its force exceeds this many times the force that moves the lighter of its strands by its
+/// own length in a step: it would fling away what it stands between.
 const STRENGTH: f64 = 1.0;
 
-impl Joint {
-    fn is_pushed(&self, strands: &[HeldStrand], step: f64) -> bool {
-        if !(self.give != Give::No || self.deep) || !self.is_touch() || self.force == Vector3::zeros() && self.off <= 0.0 {
+impl StepConstraint {
+    fn is_pushed(&self, strands: &[ConstrainedStrand], step: f64) -> bool {
+        if !(self.give != Give::No || self.deep) || !self.is_contact() || self.force == Vector3::zeros() && self.off <= 0.0 {
             return false;
         }
-        let usual = |end: JointEnd| strands[end.held as usize].usual_force(step);
+        let usual = |end: ConstraintEnd| strands[end.strand as usize].usual_force(step);
         self.off <= 0.0 || self.force.norm() < STRENGTH * self.ends().map(usual).fold(f64::INFINITY, f64::min)
     }
 }
 
 impl Island {
-    /// At its end: pushes touches on that give way. True if there is more to do.
-    pub(super) fn push_on(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> bool {
+    /// After convergence: pushes the contacts that yield. True if there is more to do.
+    pub(super) fn push_on(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) -> bool {
         if self.is_relaxed() || options.model.is_soft() {
             return false;
         }
-        let is_pushed = |joint: &Joint| joint.is_pushed(strands, step);
-        let deepest = self.joints.iter().filter(|joint| is_pushed(joint)).fold(0.0, |a: f64, joint| a.max(joint.off));
+        let is_pushed = |constraint: &StepConstraint| constraint.is_pushed(strands, step);
+        let deepest = self
+            .constraints
+            .iter()
+            .filter(|constraint| is_pushed(constraint))
+            .fold(0.0, |a: f64, constraint| a.max(constraint.off));
         let (before, times) = self.pushed;
-        if deepest <= options.tolerance || deepest > GETS_ON * before || times == MOST {
+        if deepest <= options.tolerance || deepest > GETS_ON * before || times == MAX_PUSHES {
             return false;
         }
-        for joint in self.joints.iter_mut().filter(|joint| is_pushed(joint)) {
-            joint.pushed = (joint.pushed + joint.off).max(0.0);
-            // Nobody at its ends may go on resting.
-            joint.standing.wakes = [true; 2];
+        for constraint in self.constraints.iter_mut().filter(|constraint| is_pushed(constraint)) {
+            constraint.pushed = (constraint.pushed + constraint.off).max(0.0);
+            // No strand at its ends may go on resting.
+            constraint.standing.wakes = [true; 2];
         }
         self.pushed = (deepest, times + 1);
         self.begin_to_count(self.iterations);

@@ -1,8 +1,8 @@
-//! Cholesky's factorisation of a positive semidefinite matrix with pivots by size: rows that depend on others are left out.
+//! Cholesky's factorisation of a positive semidefinite matrix with pivoting: rows that depend on others are left out.
 
-/// A pivot of less than this part of its row's diagonal is rounding: the row depends on those before.
+/// A pivot below this fraction of its row's diagonal is rounding: the row depends on those before.
 const DEPENDENT: f64 = 1e-11;
-/// A diagonal of less than this part of what it might be is rounding.
+/// A diagonal below this fraction of its expected size is rounding.
 const IMMOVABLE: f64 = 1e-13;
 
 /// The factor L of P S W S Pᵀ, S the scaling to a diagonal of one, P the order of the pivots.
@@ -18,7 +18,8 @@ pub(super) struct RankFactor {
 }
 
 impl RankFactor {
-    /// Of a symmetric `count`² matrix. `expected`: what size the diagonals might have; one that is next to nothing beside it is no pivot.
+    /// Factorises a symmetric `count`² matrix. `expected`: the expected size of the diagonals; one that is negligible beside it
+    /// is no pivot.
     pub(super) fn new(w: &[f64], count: usize, expected: &[f64]) -> Self {
         let scale: Vec<f64> = (0..count)
             .map(|i| {
@@ -62,7 +63,7 @@ impl RankFactor {
         Self { count, rank, order, scale, lower }
     }
 
-    /// How many rows are independent.
+    /// The number of independent rows.
     pub(super) fn rank(&self) -> usize {
         self.rank
     }

@@ -1,21 +1,22 @@
-//! Whether two moving pieces of strands plainly keep their sides to each other: a quick look that spares the search for crossings most of its
-//! work, and must never spare it one that there is.
+//! Whether two moving pieces of strands plainly keep their sides to each other: a quick test that spares the search for
+//! crossings most of its work, and must never hide a crossing.
 
 use nalgebra::Vector3;
 
-use super::touches::MovingPiece;
+use super::strand_contacts::MovingPiece;
 
-/// Whether no point of one piece comes nearer than `room` (m) to one of the other between the step's start and now, all going straight there:
-/// some direction that is the way between the chords where they are nearest (`apart`: at the start, and now) parts the pieces at both times
-/// by more than that. All that is between a point's two places lies on the same side, so that it parts them all the way. False says nothing.
+/// Whether no point of one piece comes closer than `room` (m) to one of the other between the start of the step and now, in
+/// straight motion: some direction, of those between the chords where they are nearest (`apart`: at the start, and now),
+/// separates the pieces at both times by more than that. All positions between the two lie on the same side, so that it
+/// separates them all the time. False says nothing.
 pub(super) fn keep_sides(a: &MovingPiece, b: &MovingPiece, apart: [Vector3<f64>; 2], room: f64) -> bool {
     let room = room + a.sagitta + b.sagitta;
-    let parts = |way: &Vector3<f64>| {
+    let parts = |direction: &Vector3<f64>| {
         let least = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2]| {
-            let (low, high) = (a[0].dot(way).min(a[1].dot(way)), b[0].dot(way).max(b[1].dot(way)));
+            let (low, high) = (a[0].dot(direction).min(a[1].dot(direction)), b[0].dot(direction).max(b[1].dot(direction)));
             low - high
         };
-        let enough = room * way.norm();
+        let enough = room * direction.norm();
         least(&a.start, &b.start) > enough && least(&a.now, &b.now) > enough
     };
     parts(&apart[0]) || parts(&apart[1]) || parts(&(apart[0] + apart[1]))
@@ -78,19 +79,19 @@ mod tests {
         a.windows(2).flat_map(|p| b.windows(2).map(move |q| of(p, q))).fold(f64::INFINITY, f64::min)
     }
 
-    /// The least distance of two curves on their way, whose points go by at most `motion` each.
-    fn nearest_on_the_way(a: &Curve, b: &Curve, motion: f64) -> f64 {
+    /// The least distance of two curves during the motion, in which points move by at most `motion` each.
+    fn nearest_in_motion(a: &Curve, b: &Curve, motion: f64) -> f64 {
         let at: Vec<f64> = (0..=TIMES).map(|k| distance(a, b, k as f64 / TIMES as f64)).collect();
         let mut least = at.iter().copied().fold(f64::INFINITY, f64::min);
         for k in 0..=TIMES {
-            // Whether they may meet between the times beside this one: then when is searched for.
+            // Whether they may meet between the neighbouring times: then the time is searched for.
             let may_meet = at[k] <= 2.0 * motion / TIMES as f64;
             if !may_meet || at[k] > at[k.saturating_sub(1)] || at[k] > at[(k + 1).min(TIMES)] {
                 continue;
             }
             let mut range = [k as f64 - 1.0, k as f64 + 1.0].map(|k| (k / TIMES as f64).clamp(0.0, 1.0));
             for _ in 0..45 {
-                let times = [1.0 / 3.0, 2.0 / 3.0].map(|share| range[0] + share * (range[1] - range[0]));
+                let times = [1.0 / 3.0, 2.0 / 3.0].map(|fraction| range[0] + fraction * (range[1] - range[0]));
                 let found = times.map(|t| distance(a, b, t));
                 least = least.min(found[0].min(found[1]));
                 if found[0] < found[1] {
@@ -103,7 +104,7 @@ mod tests {
         least
     }
 
-    /// Curves of about a unit's length; their ends go any way by up to `motion`, and they are bowed by up to `bow`.
+    /// Curves of about a unit's length; their ends move in any direction by up to `motion`, and they are bowed by up to `bow`.
     fn random_pair(random: &mut Random, motion: f64, bow: f64) -> [Curve; 2] {
         let away = 0.8 * random.unit();
         [0.0, away].map(|away| {
@@ -125,8 +126,8 @@ mod tests {
         keep_sides(&moving(a), &moving(b), [apart(&a.start, &b.start), apart(&a.now, &b.now)], 0.0)
     }
 
-    /// However far curves go and however they are bowed: where they cross on their way they are never said to keep their sides; and most that are
-    /// plainly apart all the way, by more than half of what they go and than they are bowed, are said to.
+    /// However far curves move and however they are bowed: curves that cross are never said to keep their sides; and most that
+    /// are plainly apart all the time, by more than half of their motion and than their bow, are.
     #[test]
     fn no_crossing_is_said_to_keep_its_side() {
         let mut random = Random(Seeded::new(7, 0), 0);
@@ -135,29 +136,29 @@ mod tests {
             let (mut plain, mut of_these) = (0, 0);
             for _ in 0..1500 {
                 let [a, b] = random_pair(&mut random, motion, bow);
-                let (keep, least) = (keep(&a, &b), nearest_on_the_way(&a, &b, motion));
+                let (keep, least) = (keep(&a, &b), nearest_in_motion(&a, &b, motion));
                 assert!(!(keep && least < 1e-7), "{least:e}: {:?} {:?} {:?} {:?}", a.start, a.now, b.start, b.now);
                 (crossed, kept) = (crossed + u32::from(least < 1e-7), kept + u32::from(keep));
                 let far = least > 0.5 * motion + 2.0 * bow;
                 (plain, of_these) = (plain + u32::from(far), of_these + u32::from(far && keep));
             }
-            println!("go {motion}, bowed {bow}: {plain} plainly apart, {of_these} of these told so");
+            println!("go {motion}, bowed {bow}: {plain} plainly apart, {of_these} of these found so");
             assert!(f64::from(of_these) >= 0.9 * f64::from(plain), "{plain} {of_these}");
             all += plain;
         }
-        println!("{crossed} cross, {kept} are told to keep their sides");
+        println!("{crossed} cross, {kept} are found to keep their sides");
         assert!(crossed > 500 && kept > 1000 && all > 1000, "{crossed} {kept} {all}");
     }
 
-    /// The ways between the chords at the start and now may point alike though they crossed: one turns by 150 degrees about its end, and through
-    /// the other on its way.
+    /// The offsets between the chords at the start and now may point alike though they crossed: one turns by 150 degrees about
+    /// its end, and through the other on its way.
     #[test]
     fn a_piece_that_swings_round_has_not_kept_its_side() {
         let v = Vector3::new;
         let swinging = [[v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0)], [v(0.0, 0.0, 0.0), v(-0.87, 0.0, 0.5)]];
         let still = [[v(0.2, -0.5, 0.12), v(0.2, 0.5, 0.12)]; 2];
         let [a, b] = [still, swinging].map(|[start, now]| Curve { start, now, bows: [Vector3::zeros(); 2] });
-        assert!(nearest_on_the_way(&a, &b, 2.0) < 1e-7);
+        assert!(nearest_in_motion(&a, &b, 2.0) < 1e-7);
         assert!(!keep(&a, &b) && !keep(&b, &a));
     }
 }

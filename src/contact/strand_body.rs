@@ -1,8 +1,9 @@
-//! Strand against body: where a strand's elements touch a body, or soon may.
+//! Contacts of a strand's elements with a body.
 //!
-//! Along an element the body's signed distance is a function of arclength. Its minima are found between nodes, from its values and slopes
-//! there, and refined on the exact helix; what overlaps a mesh between them is seen to triangle by triangle (`overlooked.rs`). Where a piece
-//! of the element may have gone through the body within the step, its way is swept (`body_sweep.rs`), and the side that it came from counts.
+//! Along an element the body's signed distance is a function of arclength. Its minima are found between nodes, from its values
+//! and slopes there, and refined on the exact helix; overlap of a mesh between them is searched for triangle by triangle
+//! (`undetected_overlap.rs`). Where a piece of the element may have passed through the body within the step, its motion is
+//! swept (`body_sweep.rs`), and the side from which it came counts.
 
 use std::cell::Cell;
 
@@ -11,37 +12,38 @@ use nalgebra::Vector3;
 use super::across_edge::across_edge;
 use super::body::BodyAt;
 use super::body_sweep;
+use super::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Clear, Ground, Node, sample};
-use super::overlooked::{self, overlooked};
 use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
-use super::touch::{Partner, Place, StrandPath, Touch};
+use super::undetected_overlap;
 
-/// How much deeper than an element's end or its neighbour a minimum must be to count as a touch of its own, and to what it is found, m:
-/// once the touches are resolved, nothing in between is deeper than about twice this.
+/// How much deeper than an element's end or its neighbour a minimum must be to count as a contact of its own, and to what it is found, m:
+/// once the contacts are resolved, nothing in between is deeper than about twice this.
 const PROMINENCE: f64 = 1e-6;
 
-/// An end of an element from which the distance falls more steeply than this is no touch.
+/// An end of an element from which the distance falls more steeply than this is no contact.
 const STEEP: f64 = 0.5;
 
-/// Most pieces into which an element is cut.
-const MOST_PIECES: usize = 64;
+/// The largest number of pieces of an element.
+const MAX_PIECES: usize = 64;
 
-/// How often a piece is halved where its ends do not tell what lies between.
+/// How often a piece is halved if its ends do not determine what lies between.
 const DEEPEST_SPLIT: usize = 3;
 
-/// The tree of a mesh is asked for a box larger than an element needs by this share of its length, so that the answer holds for a while.
+/// The tree of a mesh is searched in a box larger than an element needs by this fraction of its length, so that the result is
+/// valid for a while.
 const MARGIN: f64 = 0.3;
 
-/// Which part of a strand is touched.
+/// The part of a strand that takes part in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Span {
-    /// Arclength from the root, m, over which nothing is touched: the part in and about the follicle.
+    /// Arclength from the root, m, without contact: the part in and about the follicle.
     pub exempt: f64,
 }
 
-/// Boxes of a strand's way through a step. Made once an iterate, asked by all bodies.
+/// Boxes of a strand's motion through a step. Made once per iterate, used for all bodies.
 #[derive(Debug, Clone)]
 pub struct PathBounds {
     /// Of all of it, world.
@@ -56,7 +58,7 @@ impl Default for PathBounds {
 }
 
 impl PathBounds {
-    /// Brings the boxes to a path.
+    /// Updates the boxes to a path.
     pub fn update(&mut self, path: &StrandPath) {
         self.elements.clear();
         self.whole = Bounds::EMPTY;
@@ -76,7 +78,7 @@ impl PathBounds {
 
 /// Lists that are used again from call to call.
 #[derive(Debug, Clone, Default)]
-pub struct Scratch {
+pub struct BodySearchScratch {
     /// By body and element.
     regions: Vec<(u32, Vec<Region>)>,
     patch: Patch,
@@ -95,7 +97,7 @@ struct Piece {
     depth: usize,
 }
 
-impl Scratch {
+impl BodySearchScratch {
     /// What is known of a mesh about an element.
     fn region(&mut self, body: u32, element: usize) -> &mut Region {
         let place = match self.regions.iter().position(|(of, _)| *of == body) {
@@ -113,22 +115,24 @@ impl Scratch {
     }
 }
 
-/// Finds where a strand touches a body at the present iterate, or is nearer than `within` (m) to it, and adds the touches to `out`, sorted
-/// by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Nothing is allocated once the lists have grown.
+/// Finds the contacts of a strand with a body at the present iterate, up to a gap of `within` (m), and appends them to `out`,
+/// sorted by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Nothing is allocated once the
+/// lists have grown.
 ///
-/// Every local minimum of the distance along an element is a touch, and every end of an element that is near enough and not steep above a
-/// nearer place (the end between two elements belongs to the first). A strand that went through the body during the step touches it from the side that it came from, with a
-/// negative gap. Distances are signed: a strand inside a solid is touched at any depth.
+/// Every local minimum of the distance along an element is a contact, and every end of an element that is near enough and not
+/// steep above a nearer point (the end between two elements belongs to the first). A strand that passed through the body during
+/// the step is in contact from the side from which it came, with a negative gap. Distances are signed: a strand inside a solid
+/// is in contact at any depth.
 #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
-pub fn touches(
+pub fn contacts(
     path: &StrandPath,
     bounds: &PathBounds,
     span: Span,
     radius: f64,
     body: &BodyAt,
     within: f64,
-    scratch: &mut Scratch,
-    out: &mut Vec<Touch>,
+    scratch: &mut BodySearchScratch,
+    out: &mut Vec<ContactPoint>,
 ) {
     let thickness = radius + body.thickness;
     let (margin, slack) = (thickness + within, turning_slack(bounds, body));
@@ -152,10 +156,11 @@ pub fn touches(
     }
 }
 
-/// How far the ways of points of a strand, straight in the body's turning axes, may leave those in the world, m.
+/// How far the paths of a strand's points that are straight in the body's turning axes may leave those straight in the world,
+/// m.
 ///
-/// With a and b a point's places at start and end from the body's origin there, and θ the turn, the two differ at the fraction τ of the step by
-/// τ(1−τ) θ×(a−b) to first order in θ, and by at most θ²/8 max(|a|, |b|) beyond.
+/// With a and b a point's positions at start and end relative to the body's origin there, and θ the rotation, the two differ at
+/// the fraction τ of the step by τ(1−τ) θ×(a−b) to first order in θ, and by at most θ²/8 max(|a|, |b|) beyond.
 fn turning_slack(bounds: &PathBounds, body: &BodyAt) -> f64 {
     if body.turn == 0.0 {
         return 0.0;
@@ -173,10 +178,10 @@ struct Search<'a, 'b> {
     within: f64,
     /// Whether the last node looked at lies inside the solid, if that is known.
     inside: Option<bool>,
-    /// Whether the element is the first that may touch: its left end is nobody's right end.
+    /// Whether the element is the first that takes part in contact: its left end is no element's right end.
     first: bool,
-    scratch: &'b mut Scratch,
-    out: &'b mut Vec<Touch>,
+    scratch: &'b mut BodySearchScratch,
+    out: &'b mut Vec<ContactPoint>,
 }
 
 impl Search<'_, '_> {
@@ -186,7 +191,7 @@ impl Search<'_, '_> {
         let mesh = shape.mesh();
         let (centre, ball) = path.ball();
         let far = self.thickness + self.within + ball;
-        // All of the element on all of its way.
+        // All of the element during all of its motion.
         let clear = match &shape.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds().distance(&centre) > far,
             _ => shape.distance(centre, far) >= far,
@@ -196,7 +201,7 @@ impl Search<'_, '_> {
             return;
         }
         let piece = self.place_nodes(&path, low, high);
-        // The distance at places that are themselves farther than the limit tells where it falls.
+        // Distances at nodes a little beyond the limit show where the distance falls.
         let reach =
             self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * shape.distance_slope() * piece };
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
@@ -226,7 +231,7 @@ impl Search<'_, '_> {
         for (s, hit) in &hits {
             self.keep_side(index, &path, piece, from, *s, hit, &ground);
         }
-        self.out[from..].sort_by(|a, b| a.place.s.total_cmp(&b.place.s));
+        self.out[from..].sort_by(|a, b| a.point.s.total_cmp(&b.point.s));
         (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
     }
 
@@ -267,7 +272,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Picks the triangles near the element: those that the ends of its pieces are asked for, and, if it is swept, those on its way.
+    /// Picks the triangles near the element: those near the ends of its pieces, and, if it is swept, those near its paths.
     fn gather(&mut self, mesh: &Mesh, index: usize, piece: f64, reach: f64, sagitta: f64, swept: bool) {
         let nodes = &self.scratch.nodes;
         let (first, last) = (nodes[0].now, nodes[nodes.len() - 1].now);
@@ -284,7 +289,7 @@ impl Search<'_, '_> {
         *self.scratch.region(self.body.index, index) = region;
     }
 
-    /// Cuts the element into pieces that bend by little and are no longer than the body's features; their length.
+    /// Cuts the element into pieces that bend little and are no longer than the body's features; returns their length.
     fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;
@@ -294,8 +299,8 @@ impl Search<'_, '_> {
             _ => (0.25 * self.thickness).max(2e-6),
         };
         let flat = (8.0 * sagitta / bend).sqrt().min(0.25 / bend);
-        let longest = flat.min(self.body.shape.feature_length()).max(length / MOST_PIECES as f64);
-        let count = ((length / longest).ceil() as usize).clamp(1, MOST_PIECES);
+        let longest = flat.min(self.body.shape.feature_length()).max(length / MAX_PIECES as f64);
+        let count = ((length / longest).ceil() as usize).clamp(1, MAX_PIECES);
         let nodes = &mut self.scratch.nodes;
         nodes.clear();
         for node in 0..=count {
@@ -306,18 +311,20 @@ impl Search<'_, '_> {
         length / count as f64
     }
 
-    /// Adds the minima between nodes and the ends.
+    /// Adds the minima between nodes, and the ends.
     fn minima(&mut self, index: usize, ground: &Ground, path: &ElementPath, nodes: &[Node]) {
         let limit = self.thickness + self.within;
         let (left, right) = (nodes[0], nodes[nodes.len() - 1]);
-        // From a steep end it falls to something that is nearer or deeper: the end is held by that, and must not be pushed along the strand.
+        // From a steep end the distance falls to something nearer or deeper, which constrains the end: it must not be pushed
+        // along the strand.
         let held = |sample: &Sample<Surface>, falls: bool| sample.value < limit && !(falls && sample.slope.abs() > STEEP);
         if self.first
             && let Some(sample) = left.sample.filter(|sample| held(sample, sample.slope < 0.0))
         {
             self.add(index, &sample);
         }
-        // A minimum counts when it lies lower than the touch to its left, or beyond a crest; the left end is the element before's touch.
+        // A minimum counts if it is lower than the contact to its left, or beyond a crest; the left end is the previous
+        // element's contact.
         let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
         let mut crest = before;
         let mut added = 0;
@@ -331,7 +338,7 @@ impl Search<'_, '_> {
                 continue;
             }
             close_to(ground, path, pair, limit, &mut close);
-            // Between places outside nothing is looked for deep inside, unless the surface is between them.
+            // Between points outside nothing is searched for deep inside, unless the surface is between them.
             let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
             let outside = out(&pair[0]) && out(&pair[1]) && !ground.is_pierced(&pair[0].now, &pair[1].now);
             let inside = outside.then_some(false);
@@ -344,7 +351,7 @@ impl Search<'_, '_> {
             pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
             while let Some(Piece { ends, samples, depth }) = pieces.pop() {
                 let length = ends[1] - ends[0];
-                // The slope is at most 1; where nothing was found the surface is farther than the reach.
+                // The slope is at most 1; where nothing was found the surface is further away than the reach.
                 let value = |end: usize| samples[end].map_or(ground.reach, |sample| sample.value);
                 crest = crest.max(value(0));
                 if samples[0].is_none() {
@@ -355,12 +362,12 @@ impl Search<'_, '_> {
                 }
                 let falls_and_rises = matches!(samples, [Some(a), Some(b)] if a.slope < 0.0 && b.slope >= 0.0);
                 let (Some(a), Some(b), true) = (samples[0], samples[1], falls_and_rises) else {
-                    // Where the mean slope is none between those at the ends, there is more to it than they tell.
-                    let told = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
+                    // Where the mean slope is not between those at the ends, these do not determine the distance.
+                    let determined = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
                         let mean = (b.value - a.value) / length;
                         mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3
                     });
-                    if !told && depth < DEEPEST_SPLIT {
+                    if !determined && depth < DEEPEST_SPLIT {
                         let s = 0.5 * (ends[0] + ends[1]);
                         let middle = ask(s);
                         pieces.push(Piece { ends: [s, ends[1]], samples: [middle, samples[1]], depth: depth + 1 });
@@ -380,13 +387,13 @@ impl Search<'_, '_> {
                 }
             }
             if ground.mesh.is_some() {
-                self.overlooked(ground, path, &[pair[0], pair[1]], &close, from);
+                self.add_undetected_overlaps(ground, path, &[pair[0], pair[1]], &close, from);
             }
         }
         (self.scratch.pieces, self.scratch.close) = (pieces, close);
         let tip = index + 1 == self.path.now.elements.len();
         if let Some(sample) = right.sample.filter(|sample| held(sample, !tip || sample.slope > 0.0)) {
-            // A minimum from which it rises to the end by nothing that counts is the end's own.
+            // A minimum from which the distance rises to the end by less than counts is the end's own.
             if added > 0 && crest.max(sample.value) - before < PROMINENCE {
                 self.out.pop();
             }
@@ -395,10 +402,10 @@ impl Search<'_, '_> {
         for place in 0..self.scratch.more.len() {
             let found = self.scratch.more[place];
             let gap = found.value - self.thickness;
-            // A deeper touch close by is worth more; what is left then is found when that is resolved.
-            let seen = self.out[from..].iter().any(|touch| {
-                let off = (touch.place.s - found.s).abs();
-                off < 2e-3 && touch.gap <= gap || off < 2e-4 && touch.gap <= gap + overlooked::TOLERANCE
+            // A deeper contact close by is worth more; what is left then is found when that is resolved.
+            let seen = self.out[from..].iter().any(|contact| {
+                let off = (contact.point.s - found.s).abs();
+                off < 2e-3 && contact.gap <= gap || off < 2e-4 && contact.gap <= gap + undetected_overlap::TOLERANCE
             });
             if !seen {
                 self.add(index, &found);
@@ -406,15 +413,16 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Takes down what overlaps between two nodes on triangles that have no touch there.
-    fn overlooked(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
+    /// Adds overlap between two nodes with triangles that have no contact there.
+    fn add_undetected_overlaps(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
         for ball in close {
             // A triangle has one minimum.
-            let of_it = |touch: &Touch| matches!(touch.partner, Partner::Body { feature, .. } if feature == ball.triangle);
-            if self.out[from..].iter().any(|touch| of_it(touch) && touch.place.s >= nodes[0].s) {
+            let of_it =
+                |contact: &ContactPoint| matches!(contact.partner, Partner::Body { feature, .. } if feature == ball.triangle);
+            if self.out[from..].iter().any(|contact| of_it(contact) && contact.point.s >= nodes[0].s) {
                 continue;
             }
-            if let Some(found) = overlooked(ground, path, nodes, ball, self.thickness) {
+            if let Some(found) = undetected_overlap::find(ground, path, nodes, ball, self.thickness) {
                 self.scratch.more.push(found);
             }
         }
@@ -425,8 +433,8 @@ impl Search<'_, '_> {
     }
 
     fn push(&mut self, index: usize, s: f64, surface: &Surface, gap: f64) {
-        self.out.push(Touch {
-            place: Place { strand: self.path.index, element: index as u32, s },
+        self.out.push(ContactPoint {
+            point: StrandPoint { strand: self.path.index, element: index as u32, s },
             partner: Partner::Body { body: self.body.index, feature: surface.feature },
             normal: self.body.axes_end * surface.normal,
             gap,
@@ -434,7 +442,7 @@ impl Search<'_, '_> {
         });
     }
 
-    /// Sees to it that a piece of strand that ran into the body stays on the side that it came from.
+    /// Keeps a piece of strand that ran into the body on the side from which it came.
     #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
     fn keep_side(&mut self, index: usize, path: &ElementPath, piece: f64, from: usize, s: f64, hit: &Surface, ground: &Ground) {
         /// Cosine of the angle up to which the nearest surface's normal counts as that of the side that was hit.
@@ -444,9 +452,9 @@ impl Search<'_, '_> {
         if gap >= self.within {
             return;
         }
-        // It is still on the side that it came from where the nearest surface is much like the one that it ran into; outside, even where a
-        // corner lies between: hair that is drawn round a chin goes through it on the straight way of a step. How deep it is the nearest
-        // surface tells then, not the plane of where it was hit.
+        // It is still on its side where the nearest surface is much like the one that was hit; outside, even where a corner
+        // lies between: hair that is drawn round a chin cuts through it on the straight path of a step. Its depth is then that
+        // of the nearest surface, not that of the plane at the hit.
         let nearest = ground.ask(|| path.start.at(s).0, now, None).filter(|nearest| {
             let same = nearest.normal.dot(&hit.normal);
             same >= ALIKE || same > 0.0 && nearest.distance >= self.thickness
@@ -454,10 +462,10 @@ impl Search<'_, '_> {
         let least = if nearest.is_some() { 0.0 } else { ALIKE };
         let normal = self.body.axes_end * hit.normal;
         let mut kept = from;
-        let mut deepest: Option<Touch> = None;
-        for touch in from..self.out.len() {
-            let other = self.out[touch];
-            if (other.place.s - s).abs() > piece || other.normal.dot(&normal) >= least {
+        let mut deepest: Option<ContactPoint> = None;
+        for contact in from..self.out.len() {
+            let other = self.out[contact];
+            if (other.point.s - s).abs() > piece || other.normal.dot(&normal) >= least {
                 self.out[kept] = other;
                 kept += 1;
             } else if deepest.is_none_or(|deepest| other.gap < deepest.gap) {
@@ -468,18 +476,20 @@ impl Search<'_, '_> {
         match nearest {
             Some(nearest) => {
                 let gap = nearest.distance - self.thickness;
-                let is_beside = |out: &[Touch], gap: f64| {
-                    out.iter().any(|touch| (touch.place.s - s).abs() <= piece && touch.gap <= 0.5 * gap)
+                let is_beside = |out: &[ContactPoint], gap: f64| {
+                    out.iter().any(|contact| (contact.point.s - s).abs() <= piece && contact.gap <= 0.5 * gap)
                 };
-                // Outside there is none but those that are near.
+                // Outside the only contacts are near ones.
                 if gap < 0.0 && !is_beside(&self.out[from..], gap) {
                     self.push(index, s, &nearest, gap);
                 }
-                // What is deeper in the body, up to its far side, came with it: the plane that was hit holds it off.
-                if let Some(lost) = deepest.filter(|lost| lost.gap < gap.min(0.0) && !is_beside(&self.out[from..], lost.gap)) {
-                    let gap = hit.normal.dot(&(path.now.at(lost.place.s).0 - hit.point)) - self.thickness;
+                // What is deeper in the body, up to its far side, came with it: the plane at the hit separates it.
+                if let Some(behind) =
+                    deepest.filter(|behind| behind.gap < gap.min(0.0) && !is_beside(&self.out[from..], behind.gap))
+                {
+                    let gap = hit.normal.dot(&(path.now.at(behind.point.s).0 - hit.point)) - self.thickness;
                     if gap < 0.0 {
-                        self.push(index, lost.place.s, hit, gap);
+                        self.push(index, behind.point.s, hit, gap);
                     }
                 }
             }
@@ -488,7 +498,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// Picks the triangles of a mesh that can be nearest to a place between two nodes.
+/// Picks the triangles of a mesh that can be nearest to a point between two nodes.
 fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, close: &mut Vec<Ball>) {
     close.clear();
     let Some(mesh) = ground.mesh else { return };
@@ -500,7 +510,7 @@ fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, clo
     }
     let sagitta = 0.125 * path.now.bend() * length * length;
     let mut radius = limit + sagitta;
-    // Along the chord the distance to one triangle is convex, so that it is nowhere farther than at the farther end.
+    // Along the chord the distance to one triangle is convex, so that it is nowhere larger than at the further end.
     for (here, there) in [(left, right), (right, left)] {
         if let Some(sample) = here.sample {
             let there = mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt();

@@ -1,15 +1,15 @@
-//! Where a piece of a strand runs into something on its way through a step.
+//! Collisions of a moving piece of a strand.
 //!
-//! Conservative advancement (Mirtich 1996) against a convex piece (a convex shape, or one triangle of a mesh): a plane across the shortest
-//! way parts the two, and until an end of the piece of strand has come through the plane nothing is touched. Sliding along costs nothing,
-//! and a piece of strand that passes is followed in a few steps.
+//! Conservative advancement (Mirtich 1996) against a convex piece (a convex shape, or one triangle of a mesh): a plane across
+//! the shortest distance separates the two, and until an end of the piece of strand has come through the plane there is no
+//! contact. Sliding costs nothing, and a passing piece of strand is followed in a few steps.
 
 use nalgebra::Vector3;
 
 use super::descent::{self, Sample};
 use super::shape::Surface;
 
-/// A straight piece of a strand whose ends go straight from the step's start to now.
+/// A straight piece of a strand whose ends move straight from the start of the step to now.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct MovingChord {
     /// Its ends at the start.
@@ -18,14 +18,14 @@ pub(super) struct MovingChord {
     pub after: [Vector3<f64>; 2],
 }
 
-/// A nearest place found along the way.
+/// A nearest point found during the motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Near<T> {
     /// Unit vector from the body to the strand.
     pub normal: Vector3<f64>,
     /// Distance, m.
     pub distance: f64,
-    /// How fast the body comes on along the normal at the most, m per step.
+    /// The largest speed of the body along the normal, m per step.
     pub coming: f64,
     /// What it is.
     pub what: T,
@@ -36,18 +36,18 @@ pub(super) struct Near<T> {
 pub(super) struct Hit<T> {
     /// Fraction of the step.
     pub time: f64,
-    /// Place along the piece, 0 to 1.
+    /// Position along the piece, 0 to 1.
     pub place: f64,
     /// What was near.
     pub near: Near<T>,
 }
 
-/// The most advances; one that has come so far without an end grazes, and is taken for a hit.
+/// The largest number of advances; a piece that is still advancing then grazes, which counts as a hit.
 const ADVANCES: usize = 64;
 
-/// The first time up to `latest` that the piece comes within `level` of a convex thing. `ask(point, time)` tells the nearest place of it. Distances may be
-/// negative inside; where the piece lies inside from the start, that place is the hit. None if it never comes near, or if it starts at no
-/// distance at all and no side is told.
+/// The first time up to `latest` at which the piece comes within `level` of something convex. `ask(point, time)` returns its
+/// nearest point. Distances may be negative inside; if the piece begins inside, that point is the hit. `None` if it never comes
+/// near, or begins at distance zero, where no side is known.
 pub(super) fn first_hit<T: Copy>(
     chord: &MovingChord,
     level: f64,
@@ -63,12 +63,13 @@ pub(super) fn first_hit<T: Copy>(
             return None;
         }
         if nearest.found.distance <= 1.1 * level || advance + 1 == ADVANCES {
-            // The normal is kept, and its lever may be long: once more, finely.
+            // The normal is kept, and its lever may be long: once more, with a finer tolerance.
             nearest = nearest_along(&ends, 1e-6 * level, |point| ask(point, time));
             return Some(Hit { time, place: nearest.s, near: nearest.found });
         }
         let near = nearest.found;
-        // The ends' heights over the plane through the body's nearest point, and when the first comes down to the level.
+        // The ends' heights above the plane through the body's nearest point, and the time at which the first comes down to the
+        // level.
         let foot = ends[0] + (ends[1] - ends[0]) * nearest.s - near.normal * near.distance;
         let mut next = f64::INFINITY;
         for (end, velocity) in ends.iter().zip(&velocity) {
@@ -87,7 +88,7 @@ pub(super) fn first_hit<T: Copy>(
     None
 }
 
-/// The place of a straight piece that is nearest to a convex thing, to `tolerance`.
+/// The point of a straight piece that is nearest to something convex, to `tolerance`.
 fn nearest_along<T: Copy>(
     ends: &[Vector3<f64>; 2],
     tolerance: f64,
@@ -108,9 +109,9 @@ fn nearest_along<T: Copy>(
     }
 }
 
-/// For bodies that are known by their distance alone: where nodes of a strand run into one on their straight ways. Advances by the distance,
-/// but at least by `least` metres, since nothing thinner is there. `ask(point)` tells the surface, or a clearance that is surely there.
-/// Adds arclength and surface.
+/// For bodies known by their distance alone: collisions of a strand's nodes on their straight paths. Advances by the distance,
+/// but at least by `least` metres, since nothing thinner is there. `ask(point)` returns the surface, or a safe clearance.
+/// Appends arclength and surface.
 pub(super) fn along_nodes(
     nodes: impl Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>,
     level: f64,
@@ -119,10 +120,10 @@ pub(super) fn along_nodes(
     hits: &mut Vec<(f64, Surface)>,
 ) {
     for (s, before, now) in nodes {
-        let way = (now - before).norm();
+        let distance = (now - before).norm();
         let mut gone = 0.0;
-        while gone <= way {
-            let point = if way > 0.0 { before + (now - before) * (gone / way) } else { before };
+        while gone <= distance {
+            let point = if distance > 0.0 { before + (now - before) * (gone / distance) } else { before };
             let step = match ask(point) {
                 Ok(surface) => {
                     if surface.distance <= level {

@@ -1,100 +1,101 @@
-//! The contact-space problem made ready for iteration: bonds eliminated, every touch's own response and law worked out, displacements kept
-//! up to date force by force.
+//! The contact-space problem prepared for iteration: bilateral constraints eliminated, every contact's own response and law
+//! computed, displacements kept up to date force by force.
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::bonds::Bonds;
+use super::bilateral_elimination::BilateralElimination;
 use super::contact_space::{ContactSpace, End, add_columns, read, read_block};
 use super::law::{Law, LawSolve};
 
-/// An end of a touch, found in the matrices.
+/// An end of a constraint, located in the matrices.
 #[derive(Debug, Clone, Copy)]
 pub struct Slot {
-    /// Its block's coordinates among all: first and how many.
+    /// Its block's first coordinate, and the number of them.
     pub base: usize,
     /// See `base`.
     pub size: usize,
-    /// Its own first coordinate among all.
+    /// Its own first coordinate.
     pub at: usize,
-    /// The block's matrix is one of those left by the elimination of bonds, not a strand's own.
+    /// The block's matrix is one of those left by the elimination of bilateral constraints, not a strand's own.
     pub reduced: bool,
-    /// Where the block's matrix begins.
+    /// Start of the block's matrix.
     pub matrix: usize,
 }
 
-/// A contact or a ring, ready.
+/// A contact or a ring, prepared.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
     /// Its index in the problem.
-    pub touch: usize,
+    pub constraint: usize,
     /// Where +λ acts.
     pub first: Slot,
     /// Where −λ acts.
     pub second: Option<Slot>,
-    /// Its law's solve.
+    /// The solve of its law.
     pub solve: LawSolve,
-    /// Displacement without the forces of any contact or ring (bonds hold), m.
-    pub free: Vector3<f64>,
+    /// Displacement without the forces of any contact or ring (bilateral constraints act), m.
+    pub unconstrained: Vector3<f64>,
     /// Its own response W, m/N.
     pub response: Matrix3<f64>,
 }
 
-/// The problem, ready. Its memory is kept from one use to the next.
+/// The prepared problem. Its memory is kept from one use to the next.
 #[derive(Debug, Clone, Default)]
 pub struct System {
     /// Contacts and rings in the problem's order.
     pub rows: Vec<Row>,
-    /// Displacements of all touched points under the rows' forces.
+    /// Displacements of all attached points under the rows' forces.
     pub displacements: Vec<f64>,
-    /// The bonds' part.
-    pub bonds: Bonds,
-    /// Blocks (strands, or strands that bonds join) with rows, ascending: where their rows begin in `block_rows`.
+    /// The eliminated bilateral constraints.
+    pub bilateral: BilateralElimination,
+    /// Blocks (strands, or strands joined by bilateral constraints) with rows, ascending: where their rows begin in
+    /// `block_rows`.
     blocks: Vec<u32>,
     block_rows: Vec<u32>,
     /// (first coordinate of a block, row), sorted.
     members: Vec<(usize, u32)>,
 }
 
-/// What a sweep takes for a row, and for each coordinate that its force displaces, nanoseconds or so.
+/// Cost of a row in a sweep, and of each coordinate that its force displaces, nanoseconds or so.
 const SWEEP_A_ROW: u64 = 150;
 const SWEEP_A_COORDINATE: u64 = 2;
 
-/// A touch whose points bonds have fixed to this part of their own response is fixed.
+/// A contact counts as fixed if bilateral constraints reduce its response to this fraction of its points' own.
 const FIXED: f64 = 1e-12;
 
 impl System {
-    /// Makes a problem ready.
+    /// Prepares a problem.
     pub fn prepare(&mut self, space: &ContactSpace) {
-        self.bonds.eliminate(space);
+        self.bilateral.eliminate(space);
         self.rows.clear();
         self.displacements.clear();
         self.displacements.resize(space.coordinates(), 0.0);
-        for (index, touch) in space.touches().iter().enumerate() {
-            if matches!(touch.law, Law::Bond(_)) {
+        for (index, constraint) in space.constraints().iter().enumerate() {
+            if matches!(constraint.law, Law::Bilateral(_)) {
                 continue;
             }
-            let (first, second) = (self.slot(space, touch.first), touch.second.map(|end| self.slot(space, end)));
+            let (first, second) = (self.slot(space, constraint.first), constraint.second.map(|end| self.slot(space, end)));
             let own = |end: End| {
                 let block = space.block(end.strand as usize);
                 let at = 3 * end.point as usize;
                 read_block(&space.responses()[block.matrix..], block.size, at, at).trace()
             };
-            let (mut response, mut unbonded) = (self.block(space, &first, &first), own(touch.first));
-            let mut free = touch.free + self.bonds.carried(first.at);
-            if let (Some(second), Some(end)) = (&second, touch.second) {
+            let (mut response, mut unbonded) = (self.block(space, &first, &first), own(constraint.first));
+            let mut unconstrained = constraint.unconstrained + self.bilateral.carried(first.at);
+            if let (Some(second), Some(end)) = (&second, constraint.second) {
                 response += self.block(space, second, second);
                 unbonded += own(end);
-                free -= self.bonds.carried(second.at);
+                unconstrained -= self.bilateral.carried(second.at);
                 if second.base == first.base {
                     response -= self.block(space, &first, second) + self.block(space, second, &first);
                 }
             }
-            let bonded = first.reduced || second.is_some_and(|slot| slot.reduced);
-            if bonded && response.trace() <= FIXED * unbonded {
+            let constrained = first.reduced || second.is_some_and(|slot| slot.reduced);
+            if constrained && response.trace() <= FIXED * unbonded {
                 response = Matrix3::zeros();
             }
-            let solve = LawSolve::new(&touch.law, &response, space.step());
-            self.rows.push(Row { touch: index, first, second, solve, free, response });
+            let solve = LawSolve::new(&constraint.law, &response, space.step());
+            self.rows.push(Row { constraint: index, first, second, solve, unconstrained, response });
         }
         self.find_blocks();
     }
@@ -119,18 +120,18 @@ impl System {
         self.blocks.push(self.block_rows.len() as u32);
     }
 
-    /// What a sweep over all rows takes, in nanoseconds or so.
+    /// The cost of a sweep over all rows, nanoseconds or so.
     pub fn sweep_work(&self) -> u64 {
         let of = |row: &Row| row.first.size + row.second.map_or(0, |second| second.size);
         self.rows.iter().map(|row| SWEEP_A_ROW + SWEEP_A_COORDINATE * of(row) as u64).sum()
     }
 
-    /// How many blocks have rows.
+    /// The number of blocks with rows.
     pub fn blocks(&self) -> usize {
         self.blocks.len().saturating_sub(1)
     }
 
-    /// A block's rows, ascending: touches of the block, with another or not.
+    /// A block's rows, ascending: contacts of the block, with another or not.
     pub fn rows_of(&self, block: usize) -> &[u32] {
         &self.block_rows[self.blocks[block] as usize..self.blocks[block + 1] as usize]
     }
@@ -142,22 +143,22 @@ impl System {
 
     fn slot(&self, space: &ContactSpace, end: End) -> Slot {
         let block = space.block(end.strand as usize);
-        let base = self.bonds.base(end.strand as usize, block.base);
+        let base = self.bilateral.base(end.strand as usize, block.base);
         let at = base + 3 * end.point as usize;
-        match self.bonds.group_of(end.strand as usize) {
+        match self.bilateral.group_of(end.strand as usize) {
             Some(group) => Slot { base: group.base, size: group.size, at, reduced: true, matrix: group.matrix },
             None => Slot { base, size: block.size, at, reduced: false, matrix: block.matrix },
         }
     }
 
     fn block(&self, space: &ContactSpace, row: &Slot, column: &Slot) -> Matrix3<f64> {
-        let matrix = if row.reduced { self.bonds.reduced() } else { space.responses() };
+        let matrix = if row.reduced { self.bilateral.reduced() } else { space.responses() };
         read_block(&matrix[row.matrix..], row.size, row.at - row.base, column.at - column.base)
     }
 
     /// Displacement of a row per force at another (or itself).
     pub(super) fn coupling(&self, space: &ContactSpace, row: &Row, from: &Row) -> Matrix3<f64> {
-        // Both ends, the second a copy of the first where there is none: nothing is read that is not there.
+        // Both ends, the second a copy of the first where there is none, so that nothing beyond the lists is read.
         let ends = |row: &Row| ([row.first, row.second.unwrap_or(row.first)], 1 + usize::from(row.second.is_some()));
         let ((at, places), (force, forces)) = (ends(row), ends(from));
         let mut sum = Matrix3::zeros();
@@ -181,19 +182,19 @@ impl System {
     /// Changes a row's force by `change`: displaces all points of its blocks.
     #[inline(always)]
     pub fn push(&mut self, space: &ContactSpace, index: usize, change: &Vector3<f64>) {
-        self.rows[index].push(space, &self.bonds, change, &mut self.displacements);
+        self.rows[index].push(space, &self.bilateral, change, &mut self.displacements);
     }
 }
 
 /// Displacements of a problem's coordinates, or of some.
 pub trait Displacements {
-    /// Those from a coordinate on: to its block's last at least.
+    /// The displacements from a coordinate on, at least to its block's last.
     fn rest(&self, at: usize) -> &[f64];
-    /// The same, to be changed.
+    /// The same, mutable.
     fn rest_mut(&mut self, at: usize) -> &mut [f64];
 }
 
-/// Those from a coordinate on.
+/// The displacements from a coordinate on.
 #[derive(Debug)]
 pub struct Stretch<'a> {
     /// That coordinate.
@@ -227,29 +228,41 @@ impl Displacements for Vec<f64> {
 }
 
 impl Row {
-    /// Its relative displacement where its blocks' coordinates are displaced by `displacements`.
+    /// Its relative displacement under these `displacements` of its blocks' coordinates.
     #[inline(always)]
     pub fn relative(&self, displacements: &impl Displacements) -> Vector3<f64> {
-        let mut u = self.free + read(displacements.rest(self.first.at), 0);
+        let mut u = self.unconstrained + read(displacements.rest(self.first.at), 0);
         if let Some(second) = &self.second {
             u -= read(displacements.rest(second.at), 0);
         }
         u
     }
 
-    /// Adds what a change of its force displaces to its blocks' coordinates.
+    /// Adds the displacements by a change of its force to its blocks' coordinates.
     #[inline(always)]
-    pub fn push(&self, space: &ContactSpace, bonds: &Bonds, change: &Vector3<f64>, displacements: &mut impl Displacements) {
-        push_end(space, bonds, &self.first, change, displacements);
+    pub fn push(
+        &self,
+        space: &ContactSpace,
+        bilateral: &BilateralElimination,
+        change: &Vector3<f64>,
+        displacements: &mut impl Displacements,
+    ) {
+        push_end(space, bilateral, &self.first, change, displacements);
         if let Some(second) = &self.second {
-            push_end(space, bonds, second, &-change, displacements);
+            push_end(space, bilateral, second, &-change, displacements);
         }
     }
 }
 
 #[inline(always)]
-fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut impl Displacements) {
-    let matrix = if slot.reduced { bonds.reduced() } else { space.responses() };
+fn push_end(
+    space: &ContactSpace,
+    bilateral: &BilateralElimination,
+    slot: &Slot,
+    change: &Vector3<f64>,
+    displacements: &mut impl Displacements,
+) {
+    let matrix = if slot.reduced { bilateral.reduced() } else { space.responses() };
     let columns = slot.matrix + (slot.at - slot.base) * slot.size;
     add_columns(&matrix[columns..], change, &mut displacements.rest_mut(slot.base)[..slot.size]);
 }

@@ -24,7 +24,7 @@
 //! # Ok::<(), superhelix::Error>(())
 //! ```
 
-pub use crate::contact::allowance::Allowance;
+pub use crate::contact::permitted_overlap::PermittedOverlap;
 pub use crate::groom::pose::{
     Brush, Brushed, DragTarget, Dragged, ElementChange, Growth, Plane, PoseOptions, StrandShape, mirrored,
 };

@@ -37,5 +37,5 @@ pub use crate::groom::hair_parameters::{CurlFormula, HairParameters, Sliders, cu
 pub use crate::groom::hair_type::{DISCIPLINED_DRAG, FUZZY_DRAG, HairType, MeasuredHair, youngs_modulus_from_bending};
 pub use crate::groom::outside::{BroughtOut, bring_out};
 pub use crate::groom::rest_shape::{natural_under_gravity, natural_under_gravity_with};
-pub use crate::groom::scalp::{Amount, Density, Follicle, Jitter, MOST_FOLLICLES, RootRegion, Scalp, ScatterOptions, Scattered};
+pub use crate::groom::scalp::{Amount, Density, Follicle, Jitter, MAX_FOLLICLES, RootRegion, Scalp, ScatterOptions, Scattered};
 pub use crate::groom::variation::{Variation, VariedStrand};

@@ -5,6 +5,6 @@
 //! The guide page [render hair](https://docs.rs/crate/superhelix/latest/source/docs/guide/render-hair.md) explains the settings.
 
 pub use crate::groom::render_hair::{
-    GuideSamples, MOST_GUIDES, MOST_POINTS, MOST_WISPS, Motion, RENDER_HAIR_VERSION, RenderBody, RenderHair, RenderPose,
+    GuideSamples, MAX_GUIDES, MAX_POINTS, MAX_WISPS, Motion, RENDER_HAIR_VERSION, RenderBody, RenderHair, RenderPose,
     RenderSettings, Resampled, RootsAt, Space, StrandPoints, StrandSink, VELOCITY_STEP, View, measured_curliness, resampled,
 };

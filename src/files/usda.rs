@@ -40,10 +40,12 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
 /// What a file is that starts like a scene in another format.
 pub(super) fn other_scene_format(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
-        [b'P', b'X', b'R', b'-', b'U', b'S', b'D', b'C', ..] => {
-            Some("is a binary USD file: make it text first (usdcat groom.usdc --out groom.usda)")
-        }
-        [b'P', b'K', 3, 4, ..] => Some("is an archive (.usdz?): take the layer out and make it text first (usdcat --flatten)"),
+        [b'P', b'X', b'R', b'-', b'U', b'S', b'D', b'C', ..] => Some(
+            "is a binary USD file: make it text first (python -m superhelix.usd convert groom.usdc groom.usda, or usdcat groom.usdc --out groom.usda)",
+        ),
+        [b'P', b'K', 3, 4, ..] => Some(
+            "is an archive (.usdz?): make it text first (python -m superhelix.usd convert groom.usdz groom.usda, or usdcat --flatten)",
+        ),
         [b'O', b'g', b'a', b'w', b'a', ..] => Some("is an Alembic file: export .usda instead"),
         [0x89, b'H', b'D', b'F', ..] => Some("is an HDF5 file (Alembic's old form?): export .usda instead"),
         _ => None,

@@ -22,7 +22,7 @@ use crate::rod::turning::{LARGEST_TURN, largest_turn};
 use crate::workers::Workers;
 
 /// Most elements that refinement gives a strand.
-const MOST_ELEMENTS: usize = 100;
+const MAX_ELEMENTS: usize = 100;
 /// How often a strand is fitted again with more elements: a finer fit follows curls that a coarser one cut short.
 const REFITS: usize = 12;
 
@@ -293,7 +293,7 @@ impl GroomOptions<'_> {
     fn fit(&self, curve: &FitCurve<'_>, scratch: &mut FitScratch) -> Result<Fit> {
         let mut by = |element_count| fit_curve(curve, &FitOptions { element_count, ..self.fit }, scratch);
         let mut fit = by(self.fit.element_count)?;
-        let most = (4 * curve.points.len()).min(MOST_ELEMENTS);
+        let most = (4 * curve.points.len()).min(MAX_ELEMENTS);
         for _ in 0..REFITS {
             let (elements, turn) = (fit.element_lengths.len(), largest_turn(&fit.element_lengths, &fit.curvatures));
             if !self.refine || turn <= LARGEST_TURN || elements >= most {

@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_clear_is_not_touched_and_deep_roots_come_out_at_one_in_two() {
+    fn clear_strands_are_unchanged_and_deep_roots_come_out_at_one_in_two() {
         let floor = Shape::new_half_space(Vector3::y()).unwrap();
         let mut points: Vec<_> = (0..21).map(|k| Vector3::new(0.01 * f64::from(k), 0.02, 0.0)).collect();
         let drawn = points.clone();

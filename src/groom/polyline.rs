@@ -13,7 +13,7 @@ pub(super) struct Polyline {
     pub kept: Vec<usize>,
 }
 
-/// A polyline with a shorter total length cannot be told from a point in f64 arithmetic on metres.
+/// A polyline with a shorter total length cannot be distinguished from a point in f64 arithmetic on metres.
 const SHORTEST: f64 = 1e-12;
 
 /// Points closer together than this fraction of the length define no direction.

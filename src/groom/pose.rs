@@ -190,7 +190,7 @@ impl StrandShape {
 
     /// The pose of the material cross-section at an arclength from the root, m; beyond the ends, the end elements continue.
     pub fn frame_at(&self, arclength: f64) -> Frame {
-        let (index, s) = self.station(arclength);
+        let (index, s) = self.material_point(arclength);
         let (mut frame, mut origin) = (rotation_matrix(&self.root), Vec3::<f64>::zero());
         let state = |k: usize, frame, origin| element_state(Vec3(self.curvatures[k]), self.element_lengths[k], frame, origin);
         for k in 0..index {
@@ -214,7 +214,7 @@ impl StrandShape {
     }
 
     /// The element that holds an arclength, and the arclength on it.
-    fn station(&self, arclength: f64) -> (usize, f64) {
+    fn material_point(&self, arclength: f64) -> (usize, f64) {
         let mut rest = arclength;
         let last = self.element_lengths.len() - 1;
         for (element, length) in self.element_lengths[..last].iter().enumerate() {

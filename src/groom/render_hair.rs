@@ -67,9 +67,9 @@ pub use evaluate::{Motion, RootsAt, StrandPoints, StrandSink, View};
 pub use guide_samples::{GuideSamples, Resampled, resampled};
 pub use image::RENDER_HAIR_VERSION;
 pub use pose::{RenderPose, VELOCITY_STEP};
-pub use settings::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
+pub use settings::{MAX_GUIDES, MAX_POINTS, MAX_WISPS, RenderSettings, Space};
 
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 use evaluate::EvaluateScratch;
 use profile::Profiles;
 use shape::Reference;
@@ -124,7 +124,7 @@ pub struct RenderHair {
     strands: Vec<RenderStrand>,
     /// Empty if positions are mixed.
     curls: Vec<RenderCurl>,
-    crew: Crew<EvaluateScratch>,
+    workers: WorkerSet<EvaluateScratch>,
 }
 
 impl std::fmt::Debug for RenderHair {

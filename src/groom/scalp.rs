@@ -22,7 +22,7 @@ mod texture;
 use nalgebra::Vector3;
 
 pub use density::{Density, RootRegion};
-pub use scatter::{Amount, MOST_FOLLICLES, ScatterOptions, Scattered};
+pub use scatter::{Amount, MAX_FOLLICLES, ScatterOptions, Scattered};
 pub use texture::Jitter;
 
 use crate::error::{Error, Result, check_finite};

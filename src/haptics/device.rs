@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
+use super::contact_forces::{ContactForces, Solved};
 use super::coupling::{Compliance, Coupling, moved};
 use super::exchange::{Publisher, Taker};
 use super::geometry::Tooth;
 use super::local_model::{LocalModel, write_frame};
 use super::options::{ForceLaw, HapticOptions, Mode};
 use super::passivity::Passivity;
-use super::touch_forces::{Solved, TouchForces};
 use crate::error::{Result, check_finite, check_positive};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
@@ -38,7 +38,7 @@ pub struct HapticState {
     /// Local models so far.
     pub models: u64,
     /// Contacts of the current one.
-    pub touches: u32,
+    pub contacts: u32,
     /// Those under pressure.
     pub pressing: u32,
     /// Contacts under pressure beyond the model's capacity; their forces stay as in the simulation.
@@ -64,7 +64,7 @@ pub struct Device {
     poses: Publisher,
     models: Taker,
     model: LocalModel,
-    forces: TouchForces,
+    forces: ContactForces,
     passivity: Passivity,
     /// The device's time since the first update, s.
     time: f64,
@@ -87,7 +87,7 @@ impl Device {
             poses,
             models,
             model: LocalModel::new(options),
-            forces: TouchForces::new(options.max_touches as usize, teeth),
+            forces: ContactForces::new(options.max_contacts as usize, teeth),
             passivity: Passivity::new(options),
             time: 0.0,
             last: None,
@@ -144,7 +144,7 @@ impl Device {
         state.passivity_limited = self.passivity.limit(&mut wrench, velocities, dt);
         (state.energy_given, state.energy_got) = (self.passivity.given, self.passivity.got);
         state.energy_excess = self.passivity.worst;
-        (state.models, state.touches) = (self.count, self.model.touches.len() as u32);
+        (state.models, state.contacts) = (self.count, self.model.contacts.len() as u32);
         (state.pressing, state.sweeps, state.change) = (solved.pressing, solved.sweeps, solved.change);
         state.left_out = self.model.left_out;
         self.out = wrench;

@@ -24,11 +24,11 @@ impl Resistance {
     /// Adds a strand with this tangent (unit) and a contact at `arm` (m) from the handle's origin: `across` and `along` it,
     /// N·s/m.
     pub fn add(&mut self, tangent: &Vector3<f64>, arm: &Vector3<f64>, across: f64, along: f64) {
-        let at_touch = Matrix3::identity() * across + tangent * tangent.transpose() * (along - across);
+        let at_contact = Matrix3::identity() * across + tangent * tangent.transpose() * (along - across);
         // The tool's velocity at the contact is v − [arm]× ω.
         let arm = arm.cross_matrix();
-        let by_spin = -at_touch * arm;
-        self.linear += at_touch;
+        let by_spin = -at_contact * arm;
+        self.linear += at_contact;
         self.coupling += by_spin;
         self.angular += arm * by_spin;
     }

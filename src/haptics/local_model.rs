@@ -10,24 +10,24 @@ use super::explicit_law::Resistance;
 use super::options::{ForceLaw, HapticOptions, Mode};
 use crate::contact::law::coefficient::Coefficient;
 use crate::math::frame::Frame;
+use crate::solver::contact_compliance::{BodyContact, ContactCompliance, of_strands};
 use crate::solver::report::Wrench;
-use crate::solver::touch_compliance::{BodyTouch, TouchCompliance, of_strands};
 
 /// Most contacts per strand in a local model.
 const MAX_PER_STRAND: usize = 16;
 /// Numbers of a message beside contacts, and per contact.
 const HEADER: usize = 64;
-const OF_TOUCH: usize = 28;
+const OF_CONTACT: usize = 28;
 
 /// Whether a message has contacts.
-pub(super) fn has_touches(options: &HapticOptions) -> bool {
+pub(super) fn has_contacts(options: &HapticOptions) -> bool {
     options.mode == Mode::HandOver && options.force_law == ForceLaw::Contact
 }
 
 /// Capacity of a message.
 pub(super) fn capacity(options: &HapticOptions) -> usize {
-    let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
-    HEADER + touches * (OF_TOUCH + 9 * MAX_PER_STRAND)
+    let contacts = if has_contacts(options) { options.max_contacts as usize } else { 0 };
+    HEADER + contacts * (OF_CONTACT + 9 * MAX_PER_STRAND)
 }
 
 /// The contents of a message.
@@ -51,17 +51,17 @@ pub(super) struct LocalModel {
     pub added: AddedMass,
     /// Contacts under pressure beyond the capacity.
     pub left_out: u32,
-    pub touches: Vec<BodyTouch>,
+    pub contacts: Vec<BodyContact>,
     /// Contacts of each strand.
     pub counts: Vec<usize>,
-    /// See [`TouchCompliance::response`].
+    /// See [`ContactCompliance::response`].
     pub response: Vec<f64>,
 }
 
 impl LocalModel {
     /// A model with memory for the largest message.
     pub fn new(options: &HapticOptions) -> Self {
-        let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
+        let contacts = if has_contacts(options) { options.max_contacts as usize } else { 0 };
         Self {
             time: 0.0,
             seconds: 1.0,
@@ -72,15 +72,15 @@ impl LocalModel {
             resistance: Resistance::default(),
             added: AddedMass::default(),
             left_out: 0,
-            touches: Vec::with_capacity(touches),
-            counts: Vec::with_capacity(touches),
-            response: Vec::with_capacity(touches * 9 * MAX_PER_STRAND),
+            contacts: Vec::with_capacity(contacts),
+            counts: Vec::with_capacity(contacts),
+            response: Vec::with_capacity(contacts * 9 * MAX_PER_STRAND),
         }
     }
 
     /// The contacts of each strand, and its matrix.
     pub fn strands(&self) -> impl Iterator<Item = (Range<usize>, &[f64])> {
-        of_strands(self.counts.iter().copied()).map(|[touches, numbers]| (touches, &self.response[numbers]))
+        of_strands(self.counts.iter().copied()).map(|[contacts, numbers]| (contacts, &self.response[numbers]))
     }
 
     /// Reads a message from [`Choice::write`]. Allocates nothing.
@@ -94,11 +94,11 @@ impl LocalModel {
             Resistance { linear: read_matrix(message), coupling: read_matrix(message), angular: read_matrix(message) };
         self.added = AddedMass { mass: message.number(), moment: message.number() };
         self.left_out = message.count() as u32;
-        let (strands, touches) = (message.count(), message.count().min(self.touches.capacity()));
+        let (strands, contacts) = (message.count(), message.count().min(self.contacts.capacity()));
         self.counts.clear();
-        self.counts.extend((0..strands.min(touches)).map(|_| message.count()));
-        self.touches.clear();
-        self.touches.extend((0..touches).map(|_| BodyTouch {
+        self.counts.extend((0..strands.min(contacts)).map(|_| message.count()));
+        self.contacts.clear();
+        self.contacts.extend((0..contacts).map(|_| BodyContact {
             point: message.numbers().into(),
             normal: message.numbers().into(),
             gap: message.number(),
@@ -108,7 +108,7 @@ impl LocalModel {
             reach: message.numbers(),
             friction: Coefficient { mean: message.number(), lean: message.numbers().into() },
             force: message.numbers().into(),
-            most_force: message.number(),
+            max_force: message.number(),
             moved: message.numbers().into(),
             resistance: [0.0; 2],
         }));
@@ -130,12 +130,12 @@ pub(super) struct Choice {
 
 impl Choice {
     /// Chooses among contacts under pressure and those that `may_close`. Returns how many under pressure exceed the capacity.
-    pub fn choose(&mut self, from: &TouchCompliance, most: usize, may_close: impl Fn(&BodyTouch) -> bool) -> u32 {
-        let touches = &from.touches;
+    pub fn choose(&mut self, from: &ContactCompliance, most: usize, may_close: impl Fn(&BodyContact) -> bool) -> u32 {
+        let contacts = &from.contacts;
         self.order.clear();
-        let is_wanted = |k: &u32| touches[*k as usize].force != Vector3::zeros() || may_close(&touches[*k as usize]);
-        self.order.extend((0..touches.len() as u32).filter(is_wanted));
-        let key = |k: &u32| (touches[*k as usize].force.norm_squared(), -touches[*k as usize].gap);
+        let is_wanted = |k: &u32| contacts[*k as usize].force != Vector3::zeros() || may_close(&contacts[*k as usize]);
+        self.order.extend((0..contacts.len() as u32).filter(is_wanted));
+        let key = |k: &u32| (contacts[*k as usize].force.norm_squared(), -contacts[*k as usize].gap);
         let compare = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
         self.order.sort_unstable_by(|a, b| compare(&key(b), &key(a)).then(a.cmp(b)));
         self.strand_of.clear();
@@ -143,7 +143,7 @@ impl Choice {
             self.strand_of.extend((0..*count).map(|_| strand as u32));
         }
         self.is_chosen.clear();
-        self.is_chosen.resize(touches.len(), false);
+        self.is_chosen.resize(contacts.len(), false);
         self.counts.clear();
         self.counts.resize(from.counts.len(), 0);
         let (mut left, mut left_out) = (most, 0);
@@ -154,36 +154,36 @@ impl Choice {
                 self.counts[strand] += 1;
                 left -= 1;
             } else {
-                left_out += u32::from(touches[k].force != Vector3::zeros());
+                left_out += u32::from(contacts[k].force != Vector3::zeros());
             }
         }
         left_out
     }
 
     /// Whether a contact is chosen.
-    pub fn is_chosen(&self, touch: usize) -> bool {
-        self.is_chosen[touch]
+    pub fn is_chosen(&self, contact: usize) -> bool {
+        self.is_chosen[contact]
     }
 }
 
 /// Writes contacts and their compliance.
-pub(super) fn write(from: &TouchCompliance, message: &mut Writer) {
+pub(super) fn write(from: &ContactCompliance, message: &mut Writer) {
     message.count(from.counts.len());
-    message.count(from.touches.len());
+    message.count(from.contacts.len());
     from.counts.iter().for_each(|count| message.count(*count as usize));
-    for touch in &from.touches {
-        message.numbers(touch.point.as_slice());
-        message.numbers(touch.normal.as_slice());
-        message.number(touch.gap);
-        message.count(touch.body as usize);
-        message.number(touch.margin);
-        message.numbers(touch.tangent.as_slice());
-        message.numbers(&touch.reach);
-        message.number(touch.friction.mean);
-        message.numbers(touch.friction.lean.as_slice());
-        message.numbers(touch.force.as_slice());
-        message.number(touch.most_force);
-        message.numbers(touch.moved.as_slice());
+    for contact in &from.contacts {
+        message.numbers(contact.point.as_slice());
+        message.numbers(contact.normal.as_slice());
+        message.number(contact.gap);
+        message.count(contact.body as usize);
+        message.number(contact.margin);
+        message.numbers(contact.tangent.as_slice());
+        message.numbers(&contact.reach);
+        message.number(contact.friction.mean);
+        message.numbers(contact.friction.lean.as_slice());
+        message.numbers(contact.force.as_slice());
+        message.number(contact.max_force);
+        message.numbers(contact.moved.as_slice());
     }
     message.numbers(&from.response);
 }

@@ -6,6 +6,7 @@
 //!
 //! Files:
 //!
+//! - `contact_forces.rs`: The device's own contact solve: Signorini's and Coulomb's laws at the contacts of a local model, with the tool where the hand has it now.
 //! - `coupling.rs`: The virtual coupling between the device and the tool in the simulation: a spring and a damper (Colgate, Stanley and Brown 1995).
 //! - `device.rs`: The device's thread: takes a pose and returns a force, in bounded time, without waiting or allocating.
 //! - `exchange.rs`: A triple buffer: one thread publishes, another takes the newest message, and neither ever waits for the other.
@@ -14,9 +15,10 @@
 //! - `local_model.rs`: The local model that the simulation hands over after a step: the contacts of the tool, and their response until the next step.
 //! - `options.rs`: Options of a haptic object.
 //! - `passivity.rs`: Passivity observer and controller (Hannaford and Ryu 2002): bounds the energy that the device gives to the hand.
+//! - `ring_combs.rs`: Ring combs in the hand: their teeth hold the strands that they run into, and the hand feels what these pull with.
 //! - `tool.rs`: The simulation's side: moves the tool's bodies with the device, and publishes their contacts after every step.
-//! - `touch_forces.rs`: The device's own contact solve: Signorini's and Coulomb's laws at the contacts of a local model, with the tool where the hand has it now.
 
+mod contact_forces;
 mod coupling;
 pub mod device;
 pub mod exchange;
@@ -25,8 +27,8 @@ mod geometry;
 mod local_model;
 pub mod options;
 pub mod passivity;
+mod ring_combs;
 pub mod tool;
-mod touch_forces;
 
 pub use device::{Device, HapticState};
 pub use options::{ForceLaw, HapticOptions, Mode};

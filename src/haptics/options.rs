@@ -89,7 +89,7 @@ pub struct HapticOptions {
     /// The same for rotation, rad/s²; zero or above.
     pub max_angular_acceleration: f64,
     /// Most contacts of a local model; 1 to 4096.
-    pub max_touches: u32,
+    pub max_contacts: u32,
     /// Most sweeps over them per update; 1 to 1000.
     pub max_sweeps: u32,
     /// The largest age of a local model, s; beyond it the force fades away within the same time; above zero.
@@ -116,7 +116,7 @@ impl Default for HapticOptions {
             max_energy_credit: 0.05,
             max_acceleration: 20.0,
             max_angular_acceleration: 200.0,
-            max_touches: 256,
+            max_contacts: 256,
             max_sweeps: 10,
             max_age: 0.1,
         }
@@ -155,7 +155,9 @@ impl HapticOptions {
         for (name, value) in not_negative {
             check_not_negative(|| named(name), value)?;
         }
-        for (name, value, most) in [("max_touches", self.max_touches, MAX_TOUCHES), ("max_sweeps", self.max_sweeps, MAX_SWEEPS)] {
+        for (name, value, most) in
+            [("max_contacts", self.max_contacts, MAX_CONTACTS), ("max_sweeps", self.max_sweeps, MAX_SWEEPS)]
+        {
             if !(1..=most).contains(&value) {
                 return Err(Error::invalid(named(name), value, format!("1 to {most}")));
             }
@@ -164,7 +166,7 @@ impl HapticOptions {
     }
 }
 
-/// See [`HapticOptions::max_touches`].
-const MAX_TOUCHES: u32 = 4096;
+/// See [`HapticOptions::max_contacts`].
+const MAX_CONTACTS: u32 = 4096;
 /// See [`HapticOptions::max_sweeps`].
 const MAX_SWEEPS: u32 = 1000;

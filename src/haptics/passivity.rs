@@ -57,7 +57,7 @@ impl Passivity {
     }
 
     /// The most work of a wrench on the hand over the next `dt` seconds, J.
-    fn most_work(&self, wrench: &Wrench, [velocity, spin]: [Vector3<f64>; 2], dt: f64) -> f64 {
+    fn max_work(&self, wrench: &Wrench, [velocity, spin]: [Vector3<f64>; 2], dt: f64) -> f64 {
         let off = self.accelerations.map(|acceleration| 1.5 * acceleration * dt * dt);
         (wrench.force.dot(&velocity) + wrench.torque.dot(&spin)) * dt
             + wrench.force.norm() * off[0]
@@ -67,7 +67,7 @@ impl Passivity {
     /// Removes from a wrench what could give the hand too much. True if it did.
     pub fn limit(&self, wrench: &mut Wrench, velocities: [Vector3<f64>; 2], dt: f64) -> bool {
         let budget = self.balance + self.allowance;
-        let most = self.most_work(wrench, velocities, dt);
+        let most = self.max_work(wrench, velocities, dt);
         if most <= budget {
             return false;
         }
@@ -78,7 +78,7 @@ impl Passivity {
         let [force, torque] =
             [(wrench.force, velocities[0]), (wrench.torque, velocities[1])].map(|(acts, velocity)| without_drive(acts, velocity));
         let yielding = Wrench { force, torque };
-        let least = self.most_work(&yielding, velocities, dt);
+        let least = self.max_work(&yielding, velocities, dt);
         if least >= budget {
             // (Linear in the wrench.)
             let part = budget / least;

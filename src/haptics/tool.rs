@@ -8,14 +8,16 @@ use super::explicit_law::Resistance;
 use super::geometry::Tooth;
 use super::local_model::{self, Choice, read_frame, write_frame, write_resistance, write_wrench};
 use super::options::{ForceLaw, HapticOptions, Mode};
+use super::ring_combs::HeldComb;
 use crate::error::{Error, Result, check_positive};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::solver::Solver;
 use crate::solver::bodies::ContactPartner;
-use crate::solver::id::BodyId;
+use crate::solver::contact_compliance::{BodyContact, ContactCompliance};
+use crate::solver::id::{BodyId, StrandId};
 use crate::solver::report::Wrench;
-use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
+use crate::styling::{RingComb, RingCombReport};
 
 /// The least distance, m, within which strands are reported to the device, and the multiple of the tool's motion in the last
 /// step. Farther ones are left out unless the tool's motion closes the gap, or would do so if it turned towards the strand by
@@ -42,8 +44,9 @@ pub struct Tool {
     /// The device's time of that pose; `None` before the device's first report.
     time: Option<f64>,
     seconds: f64,
-    compliance: TouchCompliance,
+    compliance: ContactCompliance,
     choice: Choice,
+    combs: Vec<HeldComb>,
     /// For direct mode.
     added: AddedMass,
 }
@@ -57,7 +60,7 @@ impl Tool {
         models: Publisher,
     ) -> Result<Self> {
         let model = solver.options().contact.model;
-        if local_model::has_touches(options) && model.is_soft() {
+        if local_model::has_contacts(options) && model.is_soft() {
             let hint = "a local model has Coulomb's law; set the solver's contact model to Coulomb, or take direct mode";
             let argument = "options.mode".into();
             return Err(Error::Unsupported { argument, value: format!("hand-over with {model:?}"), hint: hint.into() });
@@ -90,8 +93,9 @@ impl Tool {
             handle: [handle; 2],
             time: None,
             seconds: 0.0,
-            compliance: TouchCompliance::default(),
+            compliance: ContactCompliance::default(),
             choice: Choice::default(),
+            combs: Vec::new(),
             added: AddedMass::default(),
         })
     }
@@ -110,6 +114,32 @@ impl Tool {
     /// The bodies.
     pub fn bodies(&self) -> &[BodyId] {
         &self.bodies
+    }
+
+    /// Puts a ring comb into the hand, at its pose: from the next step on it goes with the handle, catches those of `strands` that its teeth run
+    /// into, and the hand feels what they pull with. Strands that are removed later are forgotten. Returns the comb's index.
+    ///
+    /// In hand-over these forces stay what they were in the last step until the next one: take a rate of 240 Hz, or direct mode, where combs
+    /// hold many strands.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `strands[i]`.
+    pub fn add_ring_comb(&mut self, solver: &Solver, comb: RingComb, strands: &[StrandId]) -> Result<usize> {
+        self.combs.push(HeldComb::new(solver, &self.handle[0], comb, strands)?);
+        Ok(self.combs.len() - 1)
+    }
+
+    /// The ring combs in the hand, each with the result of the last step.
+    pub fn ring_combs(&self) -> impl ExactSizeIterator<Item = (&RingComb, &RingCombReport)> {
+        self.combs.iter().map(|held| (held.comb(), held.report()))
+    }
+
+    /// Lets go of all strands on the teeth of ring combs.
+    ///
+    /// # Errors
+    /// None at present.
+    pub fn release_ring_combs(&mut self, solver: &mut Solver) -> Result<()> {
+        self.combs.iter_mut().try_for_each(|comb| comb.release(solver))
     }
 
     /// Prepares for steps of `dt` seconds in total: sends the bodies to the device's current pose. They take the device's first
@@ -140,10 +170,12 @@ impl Tool {
         }
         let frame_of = |k: usize| Ok((self.bodies[k], self.handle[0].compose(&self.places[k])));
         if is_first {
-            solver.teleport_bodies_of(self.bodies.len(), frame_of)
+            solver.teleport_bodies_of(self.bodies.len(), frame_of)?;
         } else {
-            solver.set_body_frames_of(self.bodies.len(), frame_of, dt)
+            solver.set_body_frames_of(self.bodies.len(), frame_of, dt)?;
         }
+        let handle = self.handle[0];
+        self.combs.iter_mut().try_for_each(|comb| comb.before_step(solver, &handle, dt, is_first))
     }
 
     /// Publishes the tool's contacts after the step. Does nothing before the device's first report.
@@ -160,36 +192,49 @@ impl Tool {
             wrench.force += of_body.force;
             wrench.torque += of_body.torque + (origin - handle.origin).cross(&of_body.force);
         }
-        let (mut rest, mut left_out) = (Wrench::default(), 0);
+        let mut rest = Wrench::default();
+        for comb in &mut self.combs {
+            let of_comb = comb.after_step(solver, &handle)?;
+            for sum in [&mut wrench, &mut rest] {
+                sum.force += of_comb.force;
+                sum.torque += of_comb.torque;
+            }
+        }
+        let mut left_out = 0;
         let (mut resistance, mut pressing) = (Resistance::default(), 0);
         if self.options.force_law == ForceLaw::Explicit {
-            solver.find_touches(&self.bodies, NEAR, &mut self.compliance)?;
-            for touch in self.compliance.touches.iter().filter(|touch| touch.force != Vector3::zeros()) {
-                let [across, along] = touch.resistance;
+            solver.find_contacts(&self.bodies, NEAR, &mut self.compliance)?;
+            for contact in self.compliance.contacts.iter().filter(|contact| contact.force != Vector3::zeros()) {
+                let [across, along] = contact.resistance;
                 let (across, along) = (across * self.options.explicit_time, along * self.options.explicit_friction);
-                resistance.add(&touch.tangent, &(touch.point - handle.origin), across, along);
+                resistance.add(&contact.tangent, &(contact.point - handle.origin), across, along);
                 pressing += 1;
+            }
+            let coefficients = [self.options.explicit_time, self.options.explicit_friction];
+            for comb in &self.combs {
+                pressing += comb.resist(solver, &handle, coefficients, &mut resistance)?;
             }
         } else if self.options.mode == Mode::HandOver {
             let (travel, onward) = (self.travel(), self.handle[0].compose(&self.handle[1].inverse()));
-            solver.find_touches(&self.bodies, NEAR + TRAVEL_FACTOR * travel, &mut self.compliance)?;
-            let may_close = |touch: &BodyTouch| {
-                let closing = (onward.origin + onward.rotation * touch.point - touch.point).dot(&touch.normal);
-                touch.gap <= NEAR + TRAVEL_FACTOR * closing.max(SIDEWAYS * travel)
+            solver.find_contacts(&self.bodies, NEAR + TRAVEL_FACTOR * travel, &mut self.compliance)?;
+            let may_close = |contact: &BodyContact| {
+                let closing = (onward.origin + onward.rotation * contact.point - contact.point).dot(&contact.normal);
+                contact.gap <= NEAR + TRAVEL_FACTOR * closing.max(SIDEWAYS * travel)
             };
-            left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize, may_close);
+            left_out = self.choice.choose(&self.compliance, self.options.max_contacts as usize, may_close);
             // The hand must not feel forces that come from no contact, such as the push on strands that diverged in a step.
-            for (touch, chosen) in self.compliance.touches.iter().enumerate().map(|(k, touch)| (touch, self.choice.is_chosen(k)))
+            for (contact, chosen) in
+                self.compliance.contacts.iter().enumerate().map(|(k, contact)| (contact, self.choice.is_chosen(k)))
             {
                 if !chosen {
-                    rest.force -= touch.force;
-                    rest.torque -= (touch.point - handle.origin).cross(&touch.force);
+                    rest.force -= contact.force;
+                    rest.torque -= (contact.point - handle.origin).cross(&contact.force);
                 }
             }
-            self.compliance.retain(|touch| self.choice.is_chosen(touch));
-            solver.condense_touches(self.seconds, &mut self.compliance)?;
+            self.compliance.retain(|contact| self.choice.is_chosen(contact));
+            solver.condense_contacts(self.seconds, &mut self.compliance)?;
         } else {
-            self.added = self.mass_of_touching(solver);
+            self.added = self.mass_in_contact(solver);
         }
         let Self { models, compliance, options, seconds, added, .. } = self;
         models.publish(|message| {
@@ -201,7 +246,7 @@ impl Tool {
             write_resistance(message, &resistance);
             message.numbers(&[added.mass, added.moment]);
             message.count(left_out as usize);
-            if local_model::has_touches(options) {
+            if local_model::has_contacts(options) {
                 local_model::write(compliance, message);
             } else {
                 message.count(0);
@@ -213,7 +258,7 @@ impl Tool {
 
     /// The mass of strands in contact with the tool, which persists for a while: a strand that lets go may be in contact again in
     /// the next step.
-    fn mass_of_touching(&self, solver: &Solver) -> AddedMass {
+    fn mass_in_contact(&self, solver: &Solver) -> AddedMass {
         let mut added = AddedMass { mass: self.added.mass * FORGETS, moment: self.added.moment * FORGETS };
         let (mut now, mut last) = (AddedMass::default(), None);
         for contact in solver.contacts() {
@@ -226,6 +271,7 @@ impl Tool {
             now.mass += mass;
             now.moment += mass * (contact.position - self.handle[0].origin).norm_squared();
         }
+        self.combs.iter().for_each(|comb| comb.add_mass(solver, &self.handle[0], &mut now));
         (added.mass, added.moment) = (added.mass.max(now.mass), added.moment.max(now.moment));
         added
     }

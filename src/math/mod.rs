@@ -10,6 +10,7 @@
 //! - `nurbs.rs`: Points of rational B-splines of any order, by de Boor's algorithm.
 //! - `point_spline.rs`: A path through points with continuous acceleration: the cubic spline.
 //! - `point_tree.rs`: Nearest-point queries in space: a balanced k-d tree (Bentley 1975) in one array.
+//! - `pose_motion.rs`: The motion of a pose that a host sends from frame to frame: bodies and the targets of constraints.
 //! - `pose_spline.rs`: A smooth rigid motion through sampled poses.
 //! - `prefetch.rs`: Memory prefetch: strands are scattered in memory, and waiting for each in turn takes longer than the work on it.
 //! - `quadrature.rs`: Gauss–Legendre rules on [0, 1], and the choice of a rule for an element.
@@ -19,7 +20,6 @@
 //! - `spline.rs`: Cubic curves sampled as points, for grooms given by control points.
 //! - `trigonometry.rs`: Sine and cosine with the same bits on every machine and at every lane width.
 //! - `vector.rs`: 3-vectors and 3×3 matrices over lanes, for the kernels.
-//! - `way.rs`: The motion of a pose that a host sends from frame to frame: bodies and the targets of constraints.
 //! - `lanes/`: Packed numbers: one register of the machine's vector unit.
 
 pub(crate) mod disjoint_sets;
@@ -31,6 +31,7 @@ pub(crate) mod levenberg_marquardt;
 pub mod nurbs;
 pub mod point_spline;
 pub(crate) mod point_tree;
+pub mod pose_motion;
 pub mod pose_spline;
 pub(crate) mod prefetch;
 pub mod quadrature;
@@ -40,4 +41,3 @@ pub mod rotation;
 pub mod spline;
 pub mod trigonometry;
 pub mod vector;
-pub mod way;

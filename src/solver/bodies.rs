@@ -143,10 +143,10 @@ impl Solver {
             self.body_slots.moved(body.id, index);
         }
         // Strands record bodies' earlier poses by their indices in the list.
-        for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {
-            astray.bodies.clear();
+        for divergence in self.strands.iter_mut().filter_map(|strand| strand.divergence.as_deref_mut()) {
+            divergence.bodies.clear();
         }
-        self.holding.forget();
+        self.constrained_substep.forget();
         Ok(())
     }
 
@@ -287,7 +287,7 @@ impl Solver {
         for index in self.indices(ids)? {
             self.strands[index].contact = contact.map(|contact| Box::new(*contact));
         }
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         Ok(())
     }
 
@@ -305,7 +305,7 @@ impl Solver {
         for (index, contact) in self.indices(ids)?.into_iter().zip(contacts) {
             self.strands[index].contact = Some(Box::new(*contact));
         }
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         Ok(())
     }
 
@@ -324,13 +324,13 @@ impl Solver {
     pub fn set_contact_options(&mut self, options: &ContactOptions) -> Result<()> {
         options.check("options")?;
         self.options.contact = *options;
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         Ok(())
     }
 
     /// The contacts at the end of the last substep that carried a force, by strand and arclength.
     pub fn contacts(&self) -> &[Contact] {
-        self.holding.contacts()
+        self.constrained_substep.contacts()
     }
 }
 

@@ -157,7 +157,7 @@ impl Solver {
         match &mut parts[..] {
             // Handing out one would cost a host more than doing it.
             [part] => sample(part),
-            parts => self.crew.for_each_task(parts, 1, PARTS_A_TASK, |parts, _| parts.iter().for_each(|part| sample(part))),
+            parts => self.workers.for_each_task(parts, 1, PARTS_A_TASK, |parts, _| parts.iter().for_each(|part| sample(part))),
         }
         Ok(())
     }

@@ -4,15 +4,15 @@ use nalgebra::Vector3;
 
 use super::Solver;
 use super::id::{self, ConstraintId, StrandId};
-use crate::chain::load::Station;
-use crate::contact::joint::{Joint, JointEnd, JointKind};
-use crate::contact::law::bond::BondAxes;
+use crate::chain::load::MaterialPoint;
+use crate::contact::contact_point::StrandCurve;
+use crate::contact::law::bilateral::ConstrainedAxes;
 use crate::contact::nearest::nearest;
 use crate::contact::options::Friction;
-use crate::contact::touch::StrandCurve;
+use crate::contact::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::way::Way;
+use crate::math::pose_motion::PoseMotion;
 use crate::memory;
 use crate::rod::strand::StrandModel;
 
@@ -114,7 +114,7 @@ pub(super) struct Constraint {
     pub id: ConstraintId,
     pub def: ConstraintDef,
     /// The target's motion; `def.target` is the original one.
-    pub way: Way,
+    pub motion: PoseMotion,
     pub state: ConstraintState,
     /// Forces of its parts in the last substep, the warm start of the next.
     pub forces: [Vector3<f64>; 3],
@@ -159,15 +159,15 @@ impl Constraint {
     }
 
     /// Reports one of its constraint rows, in order; `curve` is the first strand's at the end of the substep.
-    pub fn add_report(&mut self, joint: &Joint, curve: &StrandCurve) {
-        let Station { element, s, .. } = joint.first.station;
-        self.state.force += joint.force;
+    pub fn add_report(&mut self, constraint: &StepConstraint, curve: &StrandCurve) {
+        let MaterialPoint { element, s, .. } = constraint.first.material_point;
+        self.state.force += constraint.force;
         if self.parts == 0 {
             self.held_at = curve.position(element, s);
-        } else if let JointKind::Pin { target, .. } = joint.kind {
-            self.state.torque += (target - self.held_at).cross(&joint.force);
+        } else if let ConstraintKind::Pin { target, .. } = constraint.kind {
+            self.state.torque += (target - self.held_at).cross(&constraint.force);
         }
-        if let JointKind::Ring { target, .. } = joint.kind {
+        if let ConstraintKind::Ring { target, .. } = constraint.kind {
             // The strand has slid on in the last iteration.
             let (element, s) = nearest(curve, element, s, target);
             self.state.arclength = curve.elements[..element].iter().map(|element| element.length).sum::<f64>() + s;
@@ -182,60 +182,68 @@ impl Constraint {
                 return;
             }
         }
-        self.state.error = self.state.error.max(joint.gap);
-        if joint.gap > HOLDS && self.def.compliance == 0.0 {
+        self.state.error = self.state.error.max(constraint.gap);
+        if constraint.gap > HOLDS && self.def.compliance == 0.0 {
             self.state.status = ConstraintStatus::Violated;
         }
         if let Some(force) = self.forces.get_mut(self.parts) {
-            *force = joint.force;
+            *force = constraint.force;
         }
         self.parts += 1;
     }
 
     /// Its constraint rows in a substep of `h` seconds: `first` and `second` are the constrained strands' indices and constants.
-    pub fn joints(
+    pub fn step_constraints(
         &self,
         index: u32,
         h: f64,
         first: (u32, &StrandModel),
         second: Option<(u32, &StrandModel)>,
-        mut emit: impl FnMut(Joint),
+        mut emit: impl FnMut(StepConstraint),
     ) {
-        let target = self.way.after(h);
-        let station = station_at(first.1, self.state.arclength);
+        let target = self.motion.after(h);
+        let material_point = material_point_at(first.1, self.state.arclength);
         let mut part = 0;
-        let mut joint = |station: Station, second: Option<JointEnd>, kind: JointKind| {
-            emit(Joint::new(JointEnd { held: first.0, station }, second, kind, self.forces[part]));
+        let mut constraint = |material_point: MaterialPoint, second: Option<ConstraintEnd>, kind: ConstraintKind| {
+            emit(StepConstraint::new(ConstraintEnd { strand: first.0, material_point }, second, kind, self.forces[part]));
             part += 1;
         };
-        let pin = |target: Vector3<f64>, axes: BondAxes| JointKind::Pin {
-            constraint: index,
+        let pin = |target: Vector3<f64>, axes: ConstrainedAxes| ConstraintKind::Pin {
+            bilateral: index,
             target,
             axes,
             compliance: self.def.compliance,
         };
         match self.def.hold {
             Hold::Point | Hold::Direction | Hold::Frame => {
-                joint(station, None, pin(target.origin, BondAxes::All));
-                let lever = LEVER * first.1.lengths[station.element];
+                constraint(material_point, None, pin(target.origin, ConstrainedAxes::All));
+                let lever = LEVER * first.1.lengths[material_point.element];
                 let axis = |k: usize| target.rotation * Vector3::ith(k, 1.0);
                 if self.def.hold != Hold::Point {
-                    let held = Station { lever: [lever, 0.0, 0.0], ..station };
-                    joint(held, None, pin(target.origin + axis(0) * lever, BondAxes::Across(axis(0))));
+                    let held = MaterialPoint { lever: [lever, 0.0, 0.0], ..material_point };
+                    constraint(held, None, pin(target.origin + axis(0) * lever, ConstrainedAxes::Across(axis(0))));
                 }
                 if self.def.hold == Hold::Frame {
-                    let held = Station { lever: [0.0, lever, 0.0], ..station };
-                    joint(held, None, pin(target.origin + axis(1) * lever, BondAxes::Along(axis(2))));
+                    let held = MaterialPoint { lever: [0.0, lever, 0.0], ..material_point };
+                    constraint(held, None, pin(target.origin + axis(1) * lever, ConstrainedAxes::Along(axis(2))));
                 }
             }
             Hold::Ring { friction } => {
-                let carried = target.origin - self.way.pose.origin;
-                joint(station, None, JointKind::Ring { constraint: index, target: target.origin, carried, friction });
+                let carried = target.origin - self.motion.pose.origin;
+                constraint(
+                    material_point,
+                    None,
+                    ConstraintKind::Ring { bilateral: index, target: target.origin, carried, friction },
+                );
             }
             Hold::Tie { arclength, .. } => {
-                if let Some((held, model)) = second {
-                    let end = JointEnd { held, station: station_at(model, arclength) };
-                    joint(station, Some(end), JointKind::Tie { constraint: index, compliance: self.def.compliance });
+                if let Some((strand, model)) = second {
+                    let end = ConstraintEnd { strand, material_point: material_point_at(model, arclength) };
+                    constraint(
+                        material_point,
+                        Some(end),
+                        ConstraintKind::Tie { bilateral: index, compliance: self.def.compliance },
+                    );
                 }
             }
         }
@@ -243,9 +251,9 @@ impl Constraint {
 }
 
 /// The material point at an arclength.
-pub(super) fn station_at(model: &StrandModel, arclength: f64) -> Station {
+pub(super) fn material_point_at(model: &StrandModel, arclength: f64) -> MaterialPoint {
     let (element, s) = model.place(arclength);
-    Station::on(element, s)
+    MaterialPoint::on(element, s)
 }
 
 impl Solver {
@@ -273,7 +281,7 @@ impl Solver {
             self.constraints.push(Constraint {
                 id,
                 def: *def,
-                way: Way::at(def.target),
+                motion: PoseMotion::at(def.target),
                 state,
                 forces: [Vector3::zeros(); 3],
                 parts: 0,
@@ -370,7 +378,7 @@ impl Solver {
             indices.push(self.constraint_index(|| format!("ids[{k}]"), *id)?);
         }
         for (index, frame) in indices.into_iter().zip(frames) {
-            self.constraints[index].way.send(*frame, over_seconds);
+            self.constraints[index].motion.send(*frame, over_seconds);
         }
         Ok(())
     }
@@ -406,8 +414,8 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`].
     pub fn constraint(&self, id: ConstraintId) -> Result<ConstraintDef> {
-        let Constraint { def, way, .. } = &self.constraints[self.constraint_index(|| "id".into(), id)?];
-        Ok(ConstraintDef { target: way.pose, ..*def })
+        let Constraint { def, motion, .. } = &self.constraints[self.constraint_index(|| "id".into(), id)?];
+        Ok(ConstraintDef { target: motion.pose, ..*def })
     }
 
     /// All constraints' identifiers, in the order in which they were added.

@@ -8,7 +8,7 @@ use super::id::StrandId;
 use crate::error::{Error, Result};
 
 /// The largest capacity for events.
-pub const MOST_EVENTS: usize = 1 << 24;
+pub const MAX_EVENTS: usize = 1 << 24;
 
 /// Whether a contact began or ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,10 +112,10 @@ impl Solver {
     /// cost. Discards the current queue. Contacts that already exist begin in the next step.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for more than [`MOST_EVENTS`]; [`Error::OutOfMemory`].
+    /// [`Error::InvalidArgument`] for more than [`MAX_EVENTS`]; [`Error::OutOfMemory`].
     pub fn keep_contact_events(&mut self, capacity: usize) -> Result<()> {
-        if capacity > MOST_EVENTS {
-            return Err(Error::invalid("capacity", capacity, format!("0 to {MOST_EVENTS}")));
+        if capacity > MAX_EVENTS {
+            return Err(Error::invalid("capacity", capacity, format!("0 to {MAX_EVENTS}")));
         }
         if capacity == 0 {
             self.events = None;
@@ -160,7 +160,7 @@ impl Solver {
                     ContactPartner::Strand { strand, .. } => self.slots.index(strand).is_some(),
                 }
         };
-        events.note(self.holding.contacts(), element, lives);
+        events.note(self.constrained_substep.contacts(), element, lives);
         self.events = Some(events);
     }
 

@@ -6,7 +6,7 @@ use super::Solver;
 use super::id::StrandId;
 use super::sampling::material_rotation;
 use super::strand::Strand;
-use crate::contact::touch::StrandCurve;
+use crate::contact::contact_point::StrandCurve;
 use crate::error::Result;
 use crate::math::frame::Frame;
 use crate::rod::kinematics::{ElementState, element_states};

@@ -279,7 +279,7 @@ impl Solver {
             let Some(held) = place(constraint.def.strand, constraint.state.arclength) else { continue };
             let target = match constraint.def.hold {
                 Hold::Tie { other, arclength } => place(other, arclength),
-                _ => Some(constraint.way.pose.origin),
+                _ => Some(constraint.motion.pose.origin),
             };
             painter.point(held, TARGET);
             if let Some(target) = target {

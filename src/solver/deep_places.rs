@@ -1,16 +1,16 @@
 //! Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 
 use super::constraints::Constraint;
+use super::contact_detection::{NEAR, pair_options, tied};
 use super::id::{SlotMap, StrandId};
 use super::strand::Strand;
-use super::touching::{NEAR, pair_options, tied};
-use super::workers::Crew;
+use super::workers::WorkerSet;
 use crate::contact::body::BodyAt;
+use crate::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::options::StrandContact;
 use crate::contact::strand_body::{self, PathBounds, Span};
-use crate::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use crate::contact::touches::TouchScratch;
+use crate::contact::strand_contacts::PairScratch;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
@@ -18,7 +18,7 @@ use crate::step::state::rotation_matrix;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DeepPlace {
     /// The place, and the strand by its index in the solver.
-    pub place: Place,
+    pub point: StrandPoint,
     /// The place on the other strand, or the body.
     pub partner: Partner,
     /// Distance of the centrelines along the normal, m; between strand and body that of the surfaces, below zero.
@@ -31,7 +31,7 @@ pub(super) struct DeepPlace {
 const PLACES: u32 = 16;
 
 /// The current scene.
-pub(super) struct AsItIs<'a> {
+pub(super) struct CurrentScene<'a> {
     pub strands: &'a [Strand],
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a [Constraint],
@@ -39,7 +39,7 @@ pub(super) struct AsItIs<'a> {
     pub bodies: &'a [BodyAt<'a>],
     /// Whether hair collides with hair.
     pub hair: bool,
-    pub crew: &'a Crew,
+    pub workers: &'a WorkerSet,
 }
 
 /// A strand's current curve.
@@ -47,31 +47,31 @@ pub(super) struct AsItIs<'a> {
 struct Curve {
     elements: Vec<ElementState<f64>>,
     /// Its overlaps with bodies.
-    deep: Vec<Touch>,
+    deep: Vec<ContactPoint>,
 }
 
-impl AsItIs<'_> {
+impl CurrentScene<'_> {
     /// Depth of a place beyond the permitted overlap, m.
     pub fn depth(&self, deep: &DeepPlace) -> f64 {
         match deep.partner {
-            Partner::Body { .. } => -deep.distance - self.allowed(&deep.place).1,
-            Partner::Strand(other) => deep.room.min(self.wisp_radius(&deep.place) + self.wisp_radius(&other)) - deep.distance,
+            Partner::Body { .. } => -deep.distance - self.allowed(&deep.point).1,
+            Partner::Strand(other) => deep.room.min(self.wisp_radius(&deep.point) + self.wisp_radius(&other)) - deep.distance,
         }
     }
 
     /// The part of its strand's radius that a place contributes among wisps, m.
-    pub fn wisp_radius(&self, place: &Place) -> f64 {
+    pub fn wisp_radius(&self, place: &StrandPoint) -> f64 {
         let contact = self.strands[place.strand as usize].contact.as_deref();
         contact.map_or(0.0, |contact| contact.wisp_radius) * self.allowed(place).0
     }
 
     /// The remaining wisp radius at a place, and the permitted depth of the strand in a body there.
-    fn allowed(&self, place: &Place) -> (f64, f64) {
+    fn allowed(&self, place: &StrandPoint) -> (f64, f64) {
         let strand = &self.strands[place.strand as usize];
         let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
-        strand.allowance.as_deref().map_or((1.0, 0.0), |allowance| {
+        strand.permitted_overlap.as_deref().map_or((1.0, 0.0), |permitted_overlap| {
             let along = along();
-            (allowance.wisp_share(along), allowance.sunk(along))
+            (permitted_overlap.wisp_fraction(along), permitted_overlap.sunk(along))
         })
     }
 
@@ -79,7 +79,7 @@ impl AsItIs<'_> {
     /// bodies, then between strands of which at least one is selected.
     pub fn deep_places(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<DeepPlace> {
         let mut curves: Vec<(usize, Curve)> = (0..self.strands.len()).map(|index| (index, Curve::default())).collect();
-        self.crew.for_each(&mut curves, |(index, curve), _| {
+        self.workers.for_each(&mut curves, |(index, curve), _| {
             let Strand { model, state, contact, .. } = &self.strands[*index];
             let Some(contact) = contact.as_deref() else { return };
             element_states(rotation_matrix(&state.root), model.lengths.iter().copied(), &state.curvatures, &mut curve.elements);
@@ -88,16 +88,16 @@ impl AsItIs<'_> {
             }
             let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = *contact;
             let path = path(*index as u32, state.root.origin, &curve.elements);
-            let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::Scratch::default());
+            let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::BodySearchScratch::default());
             bounds.update(&path);
             for body in self.bodies.iter().filter(|body| body.meets(groups, mask)) {
-                strand_body::touches(&path, &bounds, Span { exempt }, radius, body, NEAR, &mut scratch, &mut curve.deep);
+                strand_body::contacts(&path, &bounds, Span { exempt }, radius, body, NEAR, &mut scratch, &mut curve.deep);
             }
         });
         let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);
         let mut deep: Vec<DeepPlace> = in_bodies
-            .filter(|touch| touch.gap < 0.0)
-            .map(|touch| DeepPlace { place: touch.place, partner: touch.partner, distance: touch.gap, room: 0.0 })
+            .filter(|contact| contact.gap < 0.0)
+            .map(|contact| DeepPlace { point: contact.point, partner: contact.partner, distance: contact.gap, room: 0.0 })
             .collect();
         if self.hair {
             self.deep_in_hair(&curves, &asked, &mut deep);
@@ -107,9 +107,9 @@ impl AsItIs<'_> {
 
     /// Depths of elements of the selected strands in bodies, surface to surface, m: at places evenly along each overlapping
     /// element.
-    pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(Place, f64)> {
-        let mut found: Vec<(usize, Vec<(Place, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
-        self.crew.for_each(&mut found, |(index, found), _| {
+    pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(StrandPoint, f64)> {
+        let mut found: Vec<(usize, Vec<(StrandPoint, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
+        self.workers.for_each(&mut found, |(index, found), _| {
             let Strand { model, state, contact, .. } = &self.strands[*index];
             let Some(contact) = contact.as_deref().filter(|_| asked(*index)) else { return };
             let mut elements = Vec::new();
@@ -122,7 +122,7 @@ impl AsItIs<'_> {
                         let s = length * f64::from(k) / f64::from(PLACES);
                         let at = to_body * (curve.position(element, s) - body.end.origin);
                         if let Some(surface) = body.shape.closest(at, thickness) {
-                            let place = Place { strand: *index as u32, element: element as u32, s };
+                            let place = StrandPoint { strand: *index as u32, element: element as u32, s };
                             found.push((place, thickness - surface.distance));
                         }
                     }
@@ -150,16 +150,16 @@ impl AsItIs<'_> {
         if pairs.set(&wisps, &options).and_then(|()| pairs.set_ties(&ties)).and_then(|()| pairs.update(&paths)).is_err() {
             return;
         }
-        let (mut scratch, mut touches) = (TouchScratch::default(), Vec::new());
+        let (mut scratch, mut contacts) = (PairScratch::default(), Vec::new());
         for group in pairs.groups().iter().filter(|group| [group.a, group.b].iter().any(|wisp| asked(of[*wisp as usize]))) {
-            touches.clear();
-            pairs.touches(group, &paths, 0.0, &mut scratch, &mut touches);
-            for touch in touches.iter().filter(|touch| touch.gap < 0.0) {
-                let Partner::Strand(other) = touch.partner else { continue };
-                let at = |path: &StrandPath, place: &Place| path.now.position(place.element as usize, place.s);
-                let apart = at(&paths[group.a as usize], &touch.place) - at(&paths[group.b as usize], &other);
-                let distance = touch.normal.dot(&apart);
-                deep.push(DeepPlace { place: touch.place, partner: touch.partner, distance, room: distance - touch.gap });
+            contacts.clear();
+            pairs.contacts(group, &paths, 0.0, &mut scratch, &mut contacts);
+            for contact in contacts.iter().filter(|contact| contact.gap < 0.0) {
+                let Partner::Strand(other) = contact.partner else { continue };
+                let at = |path: &StrandPath, place: &StrandPoint| path.now.position(place.element as usize, place.s);
+                let apart = at(&paths[group.a as usize], &contact.point) - at(&paths[group.b as usize], &other);
+                let distance = contact.normal.dot(&apart);
+                deep.push(DeepPlace { point: contact.point, partner: contact.partner, distance, room: distance - contact.gap });
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::Solver;
 use super::id::StrandId;
-use super::strand::{Fared, Strand};
+use super::strand::{Strand, SubstepResult};
 #[cfg(doc)]
 use crate::error::Error;
 use crate::error::{Result, check_not_negative};
@@ -115,7 +115,7 @@ impl Solver {
         let indices = self.indices(ids)?;
         let mut settled: Vec<_> = indices.iter().map(|index| (*index, Vec::new(), Equilibrium::default())).collect();
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
-        self.crew.for_each_task(&mut settled, 1, SETTLED_AT_A_TIME, |piece, workspace| {
+        self.workers.for_each_task(&mut settled, 1, SETTLED_AT_A_TIME, |piece, workspace| {
             let scratch = &mut workspace.step.one;
             run(&mut || {
                 for (index, curvatures, found) in piece.iter_mut() {
@@ -129,7 +129,7 @@ impl Solver {
         for (index, curvatures, equilibrium) in settled {
             self.strands[index].stop_root();
             self.put(index, curvatures, None);
-            self.strands[index].fared.converged = equilibrium.converged;
+            self.strands[index].last.converged = equilibrium.converged;
             found.push(equilibrium);
         }
         Ok(found)
@@ -153,7 +153,7 @@ impl Solver {
         strand.state.curvatures = curvatures;
         strand.frozen = None;
         strand.state.velocities_from_rates(&strand.model, &self.rules);
-        strand.fared = Fared::default();
+        strand.last = SubstepResult::default();
         strand.update_energies(self.options.gravity, &self.rules, kinematics);
     }
 }

@@ -63,10 +63,10 @@ impl Solver {
             body.body.ready(h);
         }
         for constraint in &mut self.constraints {
-            constraint.way.begin(h);
+            constraint.motion.begin(h);
         }
         for strand in &mut self.strands {
-            strand.begin_root_way(h);
+            strand.begin_root_move(h);
         }
     }
 
@@ -101,7 +101,7 @@ impl Strand {
     /// than `fastest` (m/s).
     fn parts(&self, at: &BodyAt, travel: f64, extent: f64, fastest: f64, h: f64) -> f64 {
         let Some(contact) = self.contact.as_deref() else { return 1.0 };
-        let still = travel == 0.0 && self.root_move.is_none() && self.astray.is_none();
+        let still = travel == 0.0 && self.root_move.is_none() && self.divergence.is_none();
         if still && extent > THICK {
             return 1.0;
         }

@@ -18,7 +18,7 @@ use crate::math::quadrature::Rules;
 use crate::math::rotation::rotation_vector;
 use crate::rod::kinematics::Kinematics;
 use crate::step::StrandOutcome;
-use crate::step::state::Past;
+use crate::step::state::History;
 
 /// A strand wakes when a body comes closer than this to its surface, m, checked at points at most this far apart.
 const REACH: f64 = 1e-3;
@@ -80,7 +80,7 @@ impl Strand {
         if self.root_move.is_none() && self.state.root_velocity == zero && self.state.root_angular_velocity == zero {
             return outcome;
         }
-        self.begin_root_way(h);
+        self.begin_root_move(h);
         let [from, to] = self.root_during(h);
         self.state.teleport(to);
         self.set_rigid_velocities(&from, h, rules);
@@ -108,7 +108,7 @@ impl Strand {
             }
             let gap = known.map_or(f64::INFINITY, |known| frozen.bodies[known].gap);
             let threshold = REACH.min(gap - NEARER);
-            let motion = body.on_way(places);
+            let motion = body.with_motion(places);
             if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&motion.bounds)
                 && comes_nearer(frozen, &motion, contact.radius, threshold)
             {
@@ -137,7 +137,7 @@ fn comes_nearer(frozen: &Frozen, motion: &BodyAt, radius: f64, threshold: f64) -
             origin: motion.start.origin.lerp(&motion.end.origin, part),
             rotation: crate::math::rotation::from_rotation_vector(turn * part) * motion.start.rotation,
         };
-        let gap = frozen.gap(&motion.on_way([at, at]), radius, within.max(0.0));
+        let gap = frozen.gap(&motion.with_motion([at, at]), radius, within.max(0.0));
         if gap < threshold {
             return true;
         }
@@ -177,7 +177,7 @@ impl Solver {
                 let inverse = strand.state.root.inverse();
                 for body in bodies.iter().filter(|body| body.meets(contact.groups, contact.mask)) {
                     let place = inverse.compose(&body.start);
-                    let gap = frozen.gap(&body.on_way([place, place]), contact.radius, 2.0 * REACH);
+                    let gap = frozen.gap(&body.with_motion([place, place]), contact.radius, 2.0 * REACH);
                     if gap.is_finite() {
                         frozen.bodies.push(Known { body: self.bodies[body.index as usize].id, place, gap });
                     }
@@ -190,12 +190,12 @@ impl Solver {
             let curvatures = std::mem::take(&mut self.strands[index].state.curvatures);
             self.put_with(index, curvatures, None, &mut kinematics);
             let strand = &mut self.strands[index];
-            (strand.state.past, strand.state.subdivision) = (Past::default(), 0);
-            (strand.astray, strand.touched) = (None, false);
+            (strand.state.history, strand.state.subdivision) = (History::default(), 0);
+            (strand.divergence, strand.touched) = (None, false);
             strand.frozen = Some(Box::new(frozen));
         }
         // The warm start of their contacts is void.
-        self.holding.forget();
+        self.constrained_substep.forget();
         Ok(())
     }
 
@@ -233,7 +233,7 @@ impl Solver {
         }
         let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
         let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
-        self.crew.for_each(&mut self.strands, |strand, _| {
+        self.workers.for_each(&mut self.strands, |strand, _| {
             if strand.frozen.is_some() && strand.is_approached(h, &bodies, &ids) {
                 strand.frozen = None;
             }

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 
 use super::Solver;
-use super::astray::Whereabouts;
+use super::divergence::DivergenceState;
 use super::strand::{self, Strand};
 use crate::math::frame::Frame;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
@@ -65,18 +65,18 @@ impl Solver {
         let mut from = Vec::with_capacity(self.bodies.len());
         for scene_body in &mut self.bodies {
             let body = &mut scene_body.body;
-            let to = body.way.after(dt);
-            let (velocity, spin) = body.way.velocity();
-            let jumps = surprise(&body.way.pose, &to, velocity, spin, dt, body.radius()) > MIN_BODY_JUMP.max(most * dt * dt);
+            let to = body.motion.after(dt);
+            let (velocity, spin) = body.motion.velocity();
+            let jumps = surprise(&body.motion.pose, &to, velocity, spin, dt, body.radius()) > MIN_BODY_JUMP.max(most * dt * dt);
             if jumps {
-                body.way.send(to, 0.0);
+                body.motion.send(to, 0.0);
             }
             let bends = body.end_bending_where_it_jumps(dt, MIN_BODY_JUMP.max(most * dt * dt));
-            from.push(if jumps || bends { to } else { body.way.pose });
+            from.push(if jumps || bends { to } else { body.motion.pose });
         }
-        for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {
-            if matches!(astray.state, Whereabouts::Carried { .. }) && astray.bodies.is_empty() {
-                astray.bodies.clone_from(&from);
+        for divergence in self.strands.iter_mut().filter_map(|strand| strand.divergence.as_deref_mut()) {
+            if matches!(divergence.state, DivergenceState::Carried { .. }) && divergence.bodies.is_empty() {
+                divergence.bodies.clone_from(&from);
             }
         }
         carried

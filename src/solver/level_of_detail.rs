@@ -61,11 +61,11 @@ impl Solver {
     fn regrid(&mut self, indices: &[usize], lengths: impl Fn(&Strand) -> Vec<f64> + Sync) -> Vec<Regrid> {
         let mut made: Vec<(usize, Option<Made>)> = indices.iter().map(|index| (*index, None)).collect();
         let (strands, rules) = (&self.strands, &*self.rules);
-        self.crew.for_each(&mut made, |(index, made), _| {
+        self.workers.for_each(&mut made, |(index, made), _| {
             let strand = &strands[*index];
             *made = Some(on_elements(strand, lengths(strand), rules));
         });
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         let (gravity, mut kinematics) = (self.options.gravity, Kinematics::default());
         let mut reports = Vec::with_capacity(made.len());
         for (index, made) in made {

@@ -6,7 +6,7 @@ use super::definition::{SolverOptions, Workers};
 use super::strand::Strand;
 use super::{Solver, check_vector};
 use crate::error::{Error, Result};
-use crate::step::state::Past;
+use crate::step::state::History;
 
 /// The options of a solver after [`Solver::restore_with`]: gravity, wind, those of the step and of contact, limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -55,12 +55,12 @@ impl Solver {
         if old.quadrature_tolerance != new.quadrature_tolerance {
             self.rules.set_tolerance(new.quadrature_tolerance);
             let rules = &self.rules;
-            self.crew.for_each(&mut self.strands, |Strand { model, state, .. }, scratch| {
+            self.workers.for_each(&mut self.strands, |Strand { model, state, .. }, scratch| {
                 state.adapt_rule(model, rules, &mut scratch.step.rule);
             });
         }
         if before.contact != self.options.contact {
-            self.holding.forget_pairs();
+            self.constrained_substep.forget_pairs();
         }
         if before.gravity != self.options.gravity {
             self.update_energies();
@@ -70,13 +70,13 @@ impl Solver {
     /// Deletes the strands' history.
     pub(super) fn forget_steps(&mut self) {
         for strand in &mut self.strands {
-            strand.state.past = Past::default();
+            strand.state.history = History::default();
         }
     }
 
     pub(super) fn update_energies(&mut self) {
         let (gravity, rules) = (self.options.gravity, &self.rules);
-        self.crew.for_each(&mut self.strands, |strand, scratch| {
+        self.workers.for_each(&mut self.strands, |strand, scratch| {
             strand.update_energies(gravity, rules, &mut scratch.step.one.workspace.iterate.kinematics);
         });
     }

@@ -2,13 +2,13 @@
 
 use super::Solver;
 use super::id::{self, StrandId};
-use super::strand::{Authored, Holds, Strand};
+use super::strand::{Authored, Constrained, Strand};
 use crate::error::{Error, Result};
 use crate::groom::pose::{Plane, mirrored};
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
-use crate::step::state::{Earlier, Past, StrandState};
+use crate::step::state::{Earlier, History, StrandState};
 
 impl Solver {
     /// Adds the mirror images of strands in their current state: shape, natural shape, velocities; curls wind the other way.
@@ -38,7 +38,7 @@ impl Solver {
             out.push(strand.id);
             self.strands.push(strand);
         }
-        self.holding.forget_pairs();
+        self.constrained_substep.forget_pairs();
         Ok(out)
     }
 }
@@ -48,16 +48,16 @@ fn rows(rows: &[[f64; 3]]) -> Vec<[f64; 3]> {
 }
 
 fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
-    let Strand { model, state, user_data, authored, energies, fared, contact, allowance, .. } = strand;
+    let Strand { model, state, user_data, authored, energies, last, contact, permitted_overlap, .. } = strand;
     let velocities = |list: &[Vec3<f64>]| list.iter().map(|v| Vec3::from(plane.direction((*v).into()))).collect::<Vec<_>>();
-    let mut past = Past::default();
-    if state.past.step > 0.0 {
+    let mut history = History::default();
+    if state.history.step > 0.0 {
         let earlier = Earlier {
-            curvatures: rows(&state.past.curvatures),
-            velocities: velocities(&state.past.velocities),
-            root: plane.frame(&state.past.root),
+            curvatures: rows(&state.history.curvatures),
+            velocities: velocities(&state.history.velocities),
+            root: plane.frame(&state.history.root),
         };
-        past = Past::new(state.past.step, earlier);
+        history = History::new(state.history.step, earlier);
     }
     let state = StrandState {
         root: plane.frame(&state.root),
@@ -69,7 +69,7 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         root_angular_velocity: plane.spin(state.root_angular_velocity),
         wrench_force: plane.direction(state.wrench_force.into()).into(),
         wrench_torque: plane.spin(state.wrench_torque.into()).into(),
-        past,
+        history,
         subdivision: state.subdivision,
         air: None,
     };
@@ -84,12 +84,12 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         authored,
         root_move: None,
         energies: *energies,
-        fared: *fared,
-        holds: Holds::No,
+        last: *last,
+        constrained: Constrained::No,
         touched: false,
         contact: contact.clone(),
-        allowance: allowance.clone(),
-        astray: None,
+        permitted_overlap: permitted_overlap.clone(),
+        divergence: None,
         frozen: None,
     }
 }

@@ -2,23 +2,25 @@
 //!
 //! Files:
 //!
-//! - `astray.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
 //! - `attachment.rs`: Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
 //! - `bodies.rs`: Bodies, which strands stay outside of.
 //! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
 //! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
 //! - `clips.rs`: Clips: hold strands where they are in a box, and move with the box.
+//! - `constrained_substep.rs`: The substep of constrained strands.
 //! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
+//! - `contact_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
+//! - `contact_detection.rs`: Contact detection in a substep: contacts of constrained strands with bodies and other strands, as constraints, and their warm start.
 //! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
 //! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
 //! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
 //! - `deep_places.rs`: Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 //! - `definition.rs`: The options of a solver; strands: `StrandDef`.
+//! - `divergence.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
 //! - `editing.rs`: Edits strands: motions of roots, natural and current shapes, rest.
 //! - `fast_bodies.rs`: Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the whole scene.
 //! - `freezing.rs`: Frozen strands: a fixed style.
 //! - `heating.rs`: Heat: hair takes on its shape between hot plates or on a hot barrel.
-//! - `holding.rs`: The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton iteration.
 //! - `id.rs`: Checked identifiers: a slot, its generation, and a mark of the solver.
 //! - `jumps.rs`: Root jumps: roots that move farther within a call of `Solver::step` than their strand can follow.
 //! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
@@ -39,30 +41,30 @@
 //! - `snapshot.rs`: Snapshots: a solver's state as bytes, little-endian, versioned and checksummed; the same image on every machine.
 //! - `stepping.rs`: Steps all strands through time and reports the results.
 //! - `strand.rs`: One strand of a solver: constants, state, the root's motion, and the result of the last step.
-//! - `touch_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
-//! - `touching.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
 //! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
 //! - `trimming.rs`: Cuts simulated strands and lets them grow.
 //! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
 //! - `workers.rs`: The workers of a step and their scratch memory.
 
-mod astray;
 pub mod attachment;
 pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
 pub mod clips;
+mod constrained_substep;
 pub mod constraints;
+pub mod contact_compliance;
+mod contact_detection;
 pub mod contact_events;
 mod crossing;
 pub mod debug_draw;
 mod deep_places;
 pub mod definition;
+mod divergence;
 pub(crate) mod editing;
 mod fast_bodies;
 mod freezing;
 pub mod heating;
-mod holding;
 pub mod id;
 mod jumps;
 mod level_of_detail;
@@ -83,8 +85,6 @@ mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
-pub mod touch_compliance;
-mod touching;
 mod trial_steps;
 mod trimming;
 mod wind;
@@ -109,15 +109,15 @@ use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use crate::platform::Instant;
 use bodies::SceneBody;
+use constrained_substep::ConstrainedSubstep;
 use constraints::Constraint;
 use contact_events::ContactEvents;
 use definition::SolverOptions;
-use holding::Holding;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
 use stepping::BodiesAtWork;
 use strand::Strand;
-use workers::Crew;
+use workers::WorkerSet;
 
 /// The scene: strands, bodies, constraints, gravity, wind, options.
 ///
@@ -142,10 +142,10 @@ pub struct Solver {
     slots: SlotMap,
     strands: Vec<Strand>,
     sections: Sections,
-    crew: Crew,
+    workers: WorkerSet,
     constraint_slots: SlotMap<ConstraintId>,
     constraints: Vec<Constraint>,
-    holding: Box<Holding>,
+    constrained_substep: Box<ConstrainedSubstep>,
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
     bodies_at_work: BodiesAtWork,
@@ -168,7 +168,7 @@ impl Solver {
     /// [`Error::InvalidArgument`] or [`Error::Unsupported`] for an option that cannot be used, or threads that could not be started.
     pub fn new(options: SolverOptions) -> Result<Self> {
         options.check("options")?;
-        let crew = Crew::new(&options.workers)?;
+        let workers = WorkerSet::new(&options.workers)?;
         let rules = Box::new(Rules::new(options.step.quadrature_tolerance));
         // Identifiers of two solvers differ by the solvers' addresses: they share no counter.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
@@ -179,10 +179,10 @@ impl Solver {
             slots: SlotMap::new(mark as u16),
             strands: Vec::new(),
             sections: Sections::default(),
-            crew,
+            workers,
             constraint_slots: SlotMap::new(mark as u16),
             constraints: Vec::new(),
-            holding: Box::default(),
+            constrained_substep: Box::default(),
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
             bodies_at_work: BodiesAtWork::default(),

@@ -2,11 +2,11 @@
 //! bears no force in its drawn shape.
 
 use super::Solver;
-use super::deep_places::AsItIs;
+use super::deep_places::CurrentScene;
 use super::id::{BodyId, StrandId};
-use crate::contact::allowance::Allowance;
 use crate::contact::body::BodyAt;
-use crate::contact::touch::Partner;
+use crate::contact::contact_point::Partner;
+use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::error::{Error, Result};
 
 /// The depth of a strand in others and in bodies.
@@ -37,7 +37,7 @@ impl Solver {
         let scene = self.current_scene(&bodies);
         let mut found = vec![Overlap::default(); self.strands.len()];
         for deep in &scene.deep_places(|_| true) {
-            let (a, depth) = (deep.place.strand as usize, scene.depth(deep));
+            let (a, depth) = (deep.point.strand as usize, scene.depth(deep));
             match deep.partner {
                 Partner::Body { body, .. } => {
                     if depth > found[a].bodies {
@@ -72,29 +72,29 @@ impl Solver {
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;
         for index in &indices {
-            self.strands[*index].allowance = None;
+            self.strands[*index].permitted_overlap = None;
         }
         let overlaps = self.overlaps(ids)?;
         let mut named = vec![false; self.strands.len()];
         indices.iter().for_each(|index| named[*index] = true);
         let bodies = self.bodies_at_rest();
         let scene = self.current_scene(&bodies);
-        let stations = |index: usize| none_at(&self.strands[index].model.lengths);
-        let mut made: Vec<Option<Allowance>> = vec![None; self.strands.len()];
+        let material_points = |index: usize| none_at(&self.strands[index].model.lengths);
+        let mut made: Vec<Option<PermittedOverlap>> = vec![None; self.strands.len()];
         for deep in scene.deep_places(|_| true) {
             match deep.partner {
                 Partner::Body { .. } => {
-                    let (index, element) = (deep.place.strand as usize, deep.place.element as usize);
+                    let (index, element) = (deep.point.strand as usize, deep.point.element as usize);
                     if named[index] {
-                        let allowance = made[index].get_or_insert_with(|| stations(index));
-                        for sunk in &mut allowance.sunk[element..element + 2] {
+                        let permitted_overlap = made[index].get_or_insert_with(|| material_points(index));
+                        for sunk in &mut permitted_overlap.sunk[element..element + 2] {
                             *sunk = sunk.max(-deep.distance);
                         }
                     }
                 }
                 Partner::Strand(other) => {
                     // Radii of the strands that yield, and what is left for them.
-                    let ends = [deep.place, other];
+                    let ends = [deep.point, other];
                     let gives = ends.map(|end| named[end.strand as usize]);
                     let radius = |end: usize| scene.wisp_radius(&ends[end]);
                     let (mut give, mut left) = (0.0, deep.distance);
@@ -107,8 +107,8 @@ impl Solver {
                     }
                     for end in (0..2).filter(|end| gives[*end] && give > 0.0) {
                         let (index, element) = (ends[end].strand as usize, ends[end].element as usize);
-                        let allowance = made[index].get_or_insert_with(|| stations(index));
-                        for fraction in &mut allowance.wisp_shares[element..element + 2] {
+                        let permitted_overlap = made[index].get_or_insert_with(|| material_points(index));
+                        for fraction in &mut permitted_overlap.wisp_fractions[element..element + 2] {
                             *fraction = fraction.min((left / give).max(0.0));
                         }
                     }
@@ -118,33 +118,39 @@ impl Solver {
         // A contact is at the least distance; the strand must not press where it is in a body on both sides of it, or all along.
         for (place, depth) in scene.depths_in_bodies(|index| named[index]) {
             let (index, element) = (place.strand as usize, place.element as usize);
-            let allowance = made[index].get_or_insert_with(|| stations(index));
-            for sunk in &mut allowance.sunk[element..element + 2] {
+            let permitted_overlap = made[index].get_or_insert_with(|| material_points(index));
+            for sunk in &mut permitted_overlap.sunk[element..element + 2] {
                 *sunk = sunk.max(depth);
             }
         }
-        for (index, allowance) in made.into_iter().enumerate() {
-            if let Some(allowance) = allowance {
-                self.strands[index].allowance = Some(Box::new(allowance));
+        for (index, permitted_overlap) in made.into_iter().enumerate() {
+            if let Some(permitted_overlap) = permitted_overlap {
+                self.strands[index].permitted_overlap = Some(Box::new(permitted_overlap));
             }
         }
         Ok(overlaps)
     }
 
-    /// Sets permitted overlaps (`None`, the initial value: none): one per strand, as returned by [`Solver::allowance`].
+    /// Sets permitted overlaps (`None`, the initial value: none): one per strand, as returned by [`Solver::permitted_overlap`].
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `allowances[i].field`, or for counts that differ.
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `permitted_overlaps[i].field`, or for counts that differ.
     /// Nothing has then changed.
-    pub fn set_allowances(&mut self, ids: &[StrandId], allowances: &[Option<Allowance>]) -> Result<()> {
-        if allowances.len() != ids.len() {
-            return Err(Error::invalid("allowances (count)", allowances.len(), format!("{}, one per strand", ids.len())));
+    pub fn set_permitted_overlaps(&mut self, ids: &[StrandId], permitted_overlaps: &[Option<PermittedOverlap>]) -> Result<()> {
+        if permitted_overlaps.len() != ids.len() {
+            return Err(Error::invalid(
+                "permitted_overlaps (count)",
+                permitted_overlaps.len(),
+                format!("{}, one per strand", ids.len()),
+            ));
         }
-        for (k, allowance) in allowances.iter().enumerate() {
-            allowance.as_ref().map_or(Ok(()), |allowance| allowance.check(&format!("allowances[{k}]")))?;
+        for (k, permitted_overlap) in permitted_overlaps.iter().enumerate() {
+            permitted_overlap
+                .as_ref()
+                .map_or(Ok(()), |permitted_overlap| permitted_overlap.check(&format!("permitted_overlaps[{k}]")))?;
         }
-        for (index, allowance) in self.indices(ids)?.into_iter().zip(allowances) {
-            self.strands[index].allowance = allowance.clone().map(Box::new);
+        for (index, permitted_overlap) in self.indices(ids)?.into_iter().zip(permitted_overlaps) {
+            self.strands[index].permitted_overlap = permitted_overlap.clone().map(Box::new);
         }
         Ok(())
     }
@@ -153,8 +159,8 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidId`].
-    pub fn allowance(&self, id: StrandId) -> Result<Option<&Allowance>> {
-        Ok(self.strand("id", id)?.allowance.as_deref())
+    pub fn permitted_overlap(&self, id: StrandId) -> Result<Option<&PermittedOverlap>> {
+        Ok(self.strand("id", id)?.permitted_overlap.as_deref())
     }
 
     /// Discards the bodies' last motions.
@@ -168,24 +174,24 @@ impl Solver {
         self.bodies.iter().enumerate().map(|(k, scene)| scene.body.still(k as u32)).collect()
     }
 
-    fn current_scene<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> AsItIs<'a> {
-        AsItIs {
+    fn current_scene<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> CurrentScene<'a> {
+        CurrentScene {
             strands: &self.strands,
             slots: &self.slots,
             constraints: &self.constraints,
             bodies,
             hair: self.options.contact.hair,
-            crew: &self.crew,
+            workers: &self.workers,
         }
     }
 }
 
 /// A permitted overlap of nothing, with points at the ends of elements.
-fn none_at(lengths: &[f64]) -> Allowance {
+fn none_at(lengths: &[f64]) -> PermittedOverlap {
     let mut along = vec![0.0];
     along.extend(lengths.iter().scan(0.0, |along, length| {
         *along += length;
         Some(*along)
     }));
-    Allowance { wisp_shares: vec![1.0; along.len()], sunk: vec![0.0; along.len()], along }
+    PermittedOverlap { wisp_fractions: vec![1.0; along.len()], sunk: vec![0.0; along.len()], along }
 }

@@ -53,7 +53,7 @@ impl Solver {
             made.push(Made { id, def, section: self.sections.of(&def.material, def.freedoms), strand: None });
         }
         let (gravity, rules) = (self.options.gravity, &*self.rules);
-        self.crew.for_each_on_own(&mut made, |Made { id, def, section, strand }, workspace| {
+        self.workers.for_each_on_own(&mut made, |Made { id, def, section, strand }, workspace| {
             let strand = strand.insert(Strand::new(*id, def, section.clone(), rules));
             strand.update_energies(gravity, rules, &mut workspace.step.one.workspace.iterate.kinematics);
         });
@@ -92,7 +92,7 @@ impl Solver {
             self.slots.remove(*id);
         }
         let Some(first) = indices.iter().min() else { return Ok(()) };
-        self.holding.forget();
+        self.constrained_substep.forget();
         let mut index = 0;
         self.strands.retain(|_| {
             index += 1;

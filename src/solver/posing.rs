@@ -101,7 +101,7 @@ impl Solver {
             Vec::new()
         };
         let strands = &self.strands;
-        self.crew.for_each_task(&mut posed, MIN_STRANDS_PER_TASK, MAX_STRANDS_PER_TASK, |posed, _| {
+        self.workers.for_each_task(&mut posed, MIN_STRANDS_PER_TASK, MAX_STRANDS_PER_TASK, |posed, _| {
             let (mut scratch, mut near) = (PoseScratch::default(), Vec::new());
             for (k, posed) in posed {
                 let strand = &strands[posed.index];
@@ -184,7 +184,7 @@ impl Solver {
             if *lengths != *strand.model.lengths {
                 strand.model = StrandModel::of_section(lengths, natural, strand.model.section().clone());
                 strand.authored = None;
-                self.holding.forget();
+                self.constrained_substep.forget();
             }
             self.put_with(index, rows, None, &mut kinematics);
         }

@@ -59,6 +59,11 @@ impl Solver {
         Ok(self.strand("id", id)?.model.mass())
     }
 
+    /// See [`StrandModel::cantilever`](crate::rod::strand::StrandModel::cantilever).
+    pub(crate) fn cantilever(&self, id: StrandId) -> Result<[f64; 2]> {
+        Ok(self.strand("id", id)?.model.cantilever())
+    }
+
     /// The current pose of a strand's root.
     ///
     /// # Errors
@@ -104,7 +109,7 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`].
     pub fn iterations(&self, id: StrandId) -> Result<u32> {
-        Ok(self.strand("id", id)?.fared.iterations)
+        Ok(self.strand("id", id)?.last.iterations)
     }
 
     /// The number of quadrature points per element of a strand, and the quadrature error in its current shape: at most

@@ -106,7 +106,7 @@ impl Solver {
         let bodies = self.bodies.iter().map(|body| &body.body).filter(|body| body.def().group != 0 && body.def().mask != 0);
         bodies
             .map(|body| {
-                let (def, (velocity, spin)) = (body.def(), body.way.velocity());
+                let (def, (velocity, spin)) = (body.def(), body.motion.velocity());
                 let before = Frame {
                     origin: def.pose.origin - velocity * seconds,
                     rotation: from_rotation_vector(spin * -seconds) * def.pose.rotation,

@@ -46,7 +46,7 @@ impl Solver {
     pub fn take_rest_shapes(&mut self, ids: &[StrandId]) -> Result<()> {
         let mut made: Vec<_> = self.indices(ids)?.into_iter().map(|index| (index, Vec::new())).collect();
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
-        self.crew.for_each(&mut made, |(index, natural), scratch| {
+        self.workers.for_each(&mut made, |(index, natural), scratch| {
             let Strand { model, state, .. } = &strands[*index];
             let rule = coming_rule(&strands[*index], rules);
             let kinematics = &mut scratch.step.one.workspace.iterate.kinematics;
@@ -75,7 +75,7 @@ impl Solver {
         let mut found: Vec<_> =
             self.indices(ids)?.into_iter().map(|index| (index, Stability { smallest_eigenvalue: f64::NAN })).collect();
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
-        self.crew.for_each_on_own(&mut found, |(index, stability), scratch| {
+        self.workers.for_each_on_own(&mut found, |(index, stability), scratch| {
             let Strand { model, state, .. } = &strands[*index];
             let rule = coming_rule(&strands[*index], rules);
             let kinematics = &mut scratch.step.one.workspace.iterate.kinematics;

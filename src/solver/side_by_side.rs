@@ -3,16 +3,16 @@
 //! Among equal pack keys strands are packed by their last numbers of iterations, so that a pack does not wait for one of its
 //! strands. The other strands of a pack do not affect a strand's result.
 
-use super::strand::{self, Holds, Strand, Tally};
+use super::strand::{self, Constrained, Strand, Tally};
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
 use crate::math::prefetch::prefetch;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
-use crate::step::members::{Kind, Members};
+use crate::step::members::{Pack, PackKey};
 use crate::step::options::Integrator;
-use crate::step::scratch::Scratch;
+use crate::step::scratch::StepScratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 
@@ -28,7 +28,7 @@ pub(super) struct TrialTally<'a> {
 
 impl TrialTally<'_> {
     fn add(&mut self, index: usize, strand: &Strand, outcome: &StrandOutcome) {
-        if strand.holds == Holds::OnTrial {
+        if strand.constrained == Constrained::OnTrial {
             self.on_trial[index] = *outcome;
         } else {
             self.all.add(outcome);
@@ -36,7 +36,7 @@ impl TrialTally<'_> {
     }
 }
 
-/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`holding`). If
+/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`constrained_substep`). If
 /// `meter` has already halted the substep, strands move with their roots.
 pub(super) fn take(
     strands: &mut [Strand],
@@ -44,7 +44,7 @@ pub(super) fn take(
     h: f64,
     set: InstructionSet,
     tally: &mut TrialTally,
-    scratch: &mut Scratch,
+    scratch: &mut StepScratch,
     meter: &Meter,
 ) {
     // Nothing else happens to these in this substep.
@@ -57,11 +57,11 @@ pub(super) fn take(
         } else {
             strand.step_home(h, setting.rules)
         });
-        strand.holds = Holds::Yes;
+        strand.constrained = Constrained::Yes;
     }
     take_present(strands, setting, h, set, tally, scratch, meter);
     for index in &aside {
-        strands[*index].holds = Holds::No;
+        strands[*index].constrained = Constrained::No;
     }
 }
 
@@ -72,41 +72,41 @@ fn take_present(
     h: f64,
     set: InstructionSet,
     tally: &mut TrialTally,
-    scratch: &mut Scratch,
+    scratch: &mut StepScratch,
     meter: &Meter,
 ) {
     if meter.is_halted() {
-        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_held()) {
+        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_constrained()) {
             let outcome = strand.go_with_root(h, &[]);
             tally.add(index, strand, &outcome);
         }
         return;
     }
     let width = packs::width(setting.options.precision, set);
-    for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
-        strand.begin_root_way(h);
+    for strand in strands.iter_mut().filter(|strand| !strand.is_constrained()) {
+        strand.begin_root_move(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
         for index in 0..strands.len() {
-            if !strands[index].is_held() {
+            if !strands[index].is_constrained() {
                 take_one(strands, index, setting, h, tally, scratch);
             }
         }
         return;
     }
     let levels = subdivision::levels(setting.options);
-    let mut order = [(Kind::default(), 0_u32, 0_u32); MAX_TASK];
+    let mut order = [(PackKey::default(), 0_u32, 0_u32); MAX_TASK];
     let mut count = 0;
     for index in 0..strands.len() {
         let strand = &strands[index];
-        if strand.is_held() {
+        if strand.is_constrained() {
             continue;
         }
         if strand.state.subdivision.min(levels) > 0 {
             take_one(strands, index, setting, h, tally, scratch);
         } else {
-            let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
-            order[count] = (kind, strand.fared.iterations, index as u32);
+            let kind = PackKey::of(&strand.model, &strand.state, setting.options.integrator, h);
+            order[count] = (kind, strand.last.iterations, index as u32);
             count += 1;
         }
     }
@@ -127,25 +127,25 @@ fn take_present(
 /// Prefetches a strand.
 #[inline(always)]
 fn foresee(strand: &Strand) {
-    let StrandState { curvatures, rates, velocities, past, .. } = &strand.state;
+    let StrandState { curvatures, rates, velocities, history, .. } = &strand.state;
     prefetch(&**curvatures);
     prefetch(&**rates);
     prefetch(&**velocities);
     prefetch(&*strand.model.natural);
-    if past.step > 0.0 {
-        prefetch(&*past.curvatures);
-        prefetch(&*past.velocities);
+    if history.step > 0.0 {
+        prefetch(&*history.curvatures);
+        prefetch(&*history.velocities);
     }
 }
 
 fn take_pack(
     strands: &mut [Strand],
-    pack: &[(Kind, u32, u32)],
+    pack: &[(PackKey, u32, u32)],
     setting: &Setting,
     h: f64,
     set: InstructionSet,
     tally: &mut TrialTally,
-    scratch: &mut Scratch,
+    scratch: &mut StepScratch,
 ) {
     if let [(_, _, index)] = pack {
         return take_one(strands, *index as usize, setting, h, tally, scratch);
@@ -164,7 +164,7 @@ fn take_pack(
     }
 }
 
-fn take_one(strands: &mut [Strand], index: usize, setting: &Setting, h: f64, tally: &mut TrialTally, scratch: &mut Scratch) {
+fn take_one(strands: &mut [Strand], index: usize, setting: &Setting, h: f64, tally: &mut TrialTally, scratch: &mut StepScratch) {
     let strand = &mut strands[index];
     let outcome = strand.with_one(|one| step::take(setting, one, h, scratch));
     tally.add(index, strand, &outcome);
@@ -177,7 +177,7 @@ struct Picked<'a> {
     indices: &'a [usize],
 }
 
-impl Members for Picked<'_> {
+impl Pack for Picked<'_> {
     fn count(&self) -> usize {
         self.indices.len()
     }

@@ -30,9 +30,9 @@ use nalgebra::Vector3;
 
 use super::Solver;
 use super::bodies::SceneBody;
+use super::constrained_substep::ConstrainedSubstep;
 use super::constraints::Constraint;
 use super::definition::{SolverOptions, UsualLimits, check_jump_acceleration};
-use super::holding::Holding;
 use super::id::{BodyId, ConstraintId, SlotMap, StrandId};
 use super::live_options::RestoredOptions;
 use super::sections::Sections;
@@ -68,7 +68,7 @@ struct Image {
     sections: Sections,
     bodies: Vec<SceneBody>,
     constraints: Vec<Constraint>,
-    holding: Holding,
+    constrained_substep: ConstrainedSubstep,
 }
 
 /// How a snapshot stores static shapes: meshes, hulls and grids that never deformed.
@@ -213,7 +213,7 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let bodies = reader.bodies(&body_slots, find)?;
     let constraints = reader.constraints(&constraint_slots, &strands)?;
     let elements = |index: u32| strands.get(index as usize).map(|strand: &Strand| &*strand.model.lengths);
-    let holding = Holding::taken_up(reader.touches()?, elements, bodies.len())
+    let constrained_substep = ConstrainedSubstep::taken_up(reader.contacts()?, elements, bodies.len())
         .ok_or_else(|| bad("its warm start does not match its scene"))?;
     check_taken("bodies", &body_slots, bodies.len())?;
     check_taken("constraints", &constraint_slots, constraints.len())?;
@@ -234,7 +234,7 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
         sections,
         bodies,
         constraints,
-        holding,
+        constrained_substep,
     })
 }
 
@@ -307,7 +307,7 @@ impl Solver {
             writer.u64(constraint.id.bits());
             writer.u64(constraint.user_data);
         });
-        writer.packed_touches(&self.holding.memory());
+        writer.packed_contacts(&self.constrained_substep.memory());
     }
 
     /// Restores a snapshot of this solver or another: strands, bodies, constraints, identifiers and options become those of the
@@ -341,7 +341,7 @@ impl Solver {
         take_up(&mut self.constraint_slots, image.constraint_slots);
         (self.strands, self.sections) = (image.strands, image.sections);
         (self.bodies, self.constraints) = (image.bodies, image.constraints);
-        *self.holding = image.holding;
+        *self.constrained_substep = image.constrained_substep;
         self.forget_contact_events();
         let own = self.options.clone();
         self.options = SolverOptions {
@@ -372,9 +372,9 @@ impl Solver {
             writer.strand(strand);
         }
         // A scene without contact keeps the hash from before contact existed,
-        let touching =
+        let detection =
             self.options.contact != ContactOptions::default() || self.strands.iter().any(|strand| strand.contact.is_some());
-        if touching || !self.bodies.is_empty() || !self.constraints.is_empty() {
+        if detection || !self.bodies.is_empty() || !self.constraints.is_empty() {
             writer.contact_options(&self.options.contact);
             for strand in &self.strands {
                 writer.strand_contact(strand.contact.as_deref());
@@ -382,12 +382,12 @@ impl Solver {
             }
             writer.bodies(&self.bodies, SnapshotShapes::Included, |_, _| ());
             writer.constraints(&self.constraints, &self.slots, |_, _| ());
-            writer.touches(&self.holding.memory());
+            writer.contacts(&self.constrained_substep.memory());
         }
         // one without permitted overlaps that from before they existed,
-        if self.strands.iter().any(|strand| strand.allowance.is_some()) {
+        if self.strands.iter().any(|strand| strand.permitted_overlap.is_some()) {
             for strand in &self.strands {
-                writer.allowance(strand.allowance.as_deref());
+                writer.permitted_overlap(strand.permitted_overlap.as_deref());
             }
         }
         // and one without limits likewise: golden hashes depend on it.

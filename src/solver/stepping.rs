@@ -5,12 +5,12 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use super::Solver;
+use super::constrained_substep::{Account, ConstrainedSubstep, ContactTally, Overhead, Scene};
 use super::constraints::ConstraintStatus;
-use super::holding::{Account, Beside, ContactTally, Holding, Scene};
 use super::id::BodyId;
 use super::report::{Phases, StepReport, Wrench};
 use super::side_by_side::{self, TrialTally};
-use super::strand::{Holds, Tally};
+use super::strand::{Constrained, Tally};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
@@ -27,7 +27,7 @@ pub const SHORTEST_STEP: f64 = 1e-9;
 pub const LONGEST_STEP: f64 = 3600.0;
 
 /// A part of a substep takes at least this many times the time of its overhead, and this much work per element of all strands.
-const SHARE_OF_BESIDE: f64 = 3.0;
+const FRACTION_OF_OVERHEAD: f64 = 3.0;
 const WORK_OF_A_PART: f64 = 8.0;
 
 /// The budget of a call's substeps.
@@ -52,10 +52,10 @@ impl<'a> Clock<'a> {
     }
 
     /// The largest number of parts of a substep within work and time, with this many substeps `left`, including this one.
-    fn most_parts(&self, left: f64, beside: Beside) -> u32 {
+    fn max_substeps(&self, left: f64, overhead: Overhead) -> u32 {
         let by_work = self.work() as f64 / (WORK_OF_A_PART * self.elements as f64);
         let seconds = |end: Instant| end.saturating_duration_since(Instant::now()).as_secs_f64() / left;
-        let by_time = self.end.map(|end| seconds(end) / (SHARE_OF_BESIDE * (beside.begin + beside.end)));
+        let by_time = self.end.map(|end| seconds(end) / (FRACTION_OF_OVERHEAD * (overhead.begin + overhead.end)));
         by_time.map_or(by_work, |by_time| by_work.min(by_time)).clamp(1.0, f64::from(u32::MAX)) as u32
     }
 
@@ -173,9 +173,9 @@ impl Solver {
         let jumped = self.carry_over_jumps(dt);
         let total = Mutex::new(Tally::default());
         let (contact, spent) = if self.holds_strands() {
-            self.step_holding(h, &clock, &total)
+            self.step_constrained(h, &clock, &total)
         } else {
-            self.holding.forget_contacts();
+            self.constrained_substep.forget_contacts();
             (ContactTally::default(), self.step_free(h, &clock, &total))
         };
         let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -211,13 +211,13 @@ impl Solver {
         Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
     }
 
-    /// Takes all strands through so many substeps of `h` seconds, each task its own.
+    /// Takes all strands through this many substeps of `h` seconds, each task its own.
     fn take_free(&mut self, h: f64, substeps: u32, meter: &Meter, total: &Mutex<Tally>) {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+        self.workers.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for substep in 0..substeps {
                 let halted = meter.is_halted();
@@ -252,13 +252,13 @@ impl Solver {
             });
         }
         let hair = self.options.contact.hair;
-        let touches = |contact: &StrandContact| {
+        let contacts = |contact: &StrandContact| {
             let body = self.bodies.iter().any(|body| body.body.meets(contact.groups, contact.mask));
             body || (hair && contact.wisp_radius > 0.0)
         };
         let by = if self.constraints.iter().any(|constraint| constraint.state.status != ConstraintStatus::Released) {
             "constraints"
-        } else if self.strands.iter().filter_map(|strand| strand.contact.as_deref()).any(touches) {
+        } else if self.strands.iter().filter_map(|strand| strand.contact.as_deref()).any(contacts) {
             "contact"
         } else {
             return Ok(());
@@ -272,7 +272,7 @@ impl Solver {
 
     /// The substeps of a scene with possible contacts or constraints: all strands finish each one before any starts the next. A
     /// substep in which a body moves far among strands is divided.
-    fn step_holding(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> (ContactTally, Spent) {
+    fn step_constrained(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> (ContactTally, Spent) {
         let (mut contact, mut spent) = (ContactTally::default(), Spent::default());
         for body in &mut self.bodies {
             body.wrench = Wrench::default();
@@ -280,13 +280,13 @@ impl Solver {
         'substeps: for substep in 0..clock.substeps {
             let substeps = f64::from(clock.substeps - substep);
             self.prepare_motions(h);
-            let parts = self.parts_of_substep(h).min(clock.most_parts(substeps, self.holding.beside()));
+            let parts = self.parts_of_substep(h).min(clock.max_substeps(substeps, self.constrained_substep.overhead()));
             spent.parts = spent.parts.max(parts);
             let mut work = clock.work();
             for part in 0..parts {
                 let (to_do, all_parts) = (f64::from(parts - part), f64::from(parts));
                 let left = Left { work, parts: to_do, all_parts, substeps: substeps - 1.0 };
-                let meter = clock.meter(&left, self.holding.beside().end);
+                let meter = clock.meter(&left, self.constrained_substep.overhead().end);
                 let from = h * (f64::from(substep) + f64::from(part) / all_parts);
                 if clock.is_over() {
                     // Nothing more can be done in any of them: all strands move with their roots, at once.
@@ -314,7 +314,7 @@ impl Solver {
         }
         // If contacts and constraints are gone, the next step does not look for any.
         for strand in &mut self.strands {
-            strand.holds = Holds::No;
+            strand.constrained = Constrained::No;
         }
         (contact, spent)
     }
@@ -357,14 +357,14 @@ impl Solver {
             options: &self.options.contact,
             setting: &setting,
             set,
-            crew: &self.crew,
+            workers: &self.workers,
             meter,
             is_last,
             is_fast,
-            is_part: false,
+            is_nested: false,
         };
-        let (are_near, tolerance) = (Holding::mark(&mut scene, h), scene.options.tolerance);
-        self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+        let (are_near, tolerance) = (ConstrainedSubstep::mark(&mut scene, h), scene.options.tolerance);
+        self.workers.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             if are_near {
                 scratch.trial_steps.begin(strands, &bodies, h, meter);
@@ -378,7 +378,7 @@ impl Solver {
         });
         let mut tally = Tally::default();
         let account = Account { tally: &mut tally, contact, wrenches: &mut wrenches };
-        self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
+        self.constrained_substep.take(&mut scene, h, subdivision::levels(&self.options.step), account);
         let taken = begins.elapsed().as_secs_f64();
         total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         let at = recycled(bodies);
@@ -388,7 +388,7 @@ impl Solver {
         }
         self.bodies_at_work = BodiesAtWork { at, ids, wrenches };
         // Strands are whatever is neither search nor contact: they step between the two.
-        let Phases { search, contact, .. } = self.holding.take_phases();
+        let Phases { search, contact, .. } = self.constrained_substep.take_phases();
         Phases { search, contact, sampling: 0.0, strands: (taken - search - contact).max(0.0) }
     }
 
@@ -397,7 +397,7 @@ impl Solver {
             substeps,
             quarantined: tally.quarantined,
             unconverged: tally.unconverged,
-            max_iterations: tally.most_iterations,
+            max_iterations: tally.max_iterations,
             max_residual: tally.residual,
             max_condition: tally.condition,
             subdivided: tally.subdivided,

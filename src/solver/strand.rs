@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::astray::Astray;
 use super::definition::StrandDef;
+use super::divergence::Divergence;
 use super::freezing::Frozen;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
 use super::sections;
-use crate::contact::allowance::Allowance;
 use crate::contact::body::BodyAt;
 use crate::contact::options::StrandContact;
+use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::shape::Bounds;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
@@ -23,7 +23,7 @@ use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
 use crate::step::members::One;
 use crate::step::options::Integrator;
-use crate::step::scratch::Scratch;
+use crate::step::scratch::StepScratch;
 use crate::step::state::{Earlier, StrandState, rotation_matrix};
 use crate::step::{Setting, StrandOutcome};
 
@@ -42,24 +42,24 @@ pub(super) struct Strand {
     pub root_move: Option<Box<(PoseMove, f64)>>,
     pub energies: Energies,
     /// The last substep.
-    pub fared: Fared,
+    pub last: SubstepResult,
     /// Whether contacts or constraints may act on it in this substep.
-    pub holds: Holds,
+    pub constrained: Constrained,
     /// Whether it was near something in the last substep.
     pub touched: bool,
     /// Its contact parameters; `None` for no contact.
     pub contact: Option<Box<StrandContact>>,
     /// Its permitted overlap; `None` for none.
-    pub allowance: Option<Box<Allowance>>,
+    pub permitted_overlap: Option<Box<PermittedOverlap>>,
     /// Its record where it has diverged.
-    pub astray: Option<Box<Astray>>,
+    pub divergence: Option<Box<Divergence>>,
     /// Set for a frozen strand.
     pub frozen: Option<Box<Frozen>>,
 }
 
 /// Whether something constrains a strand in a substep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Holds {
+pub(super) enum Constrained {
     /// Nothing does: it steps side by side with others.
     No,
     /// Only a body near by may.
@@ -72,19 +72,19 @@ pub(super) enum Holds {
 
 /// What a strand keeps of a substep's result; the rest goes into the call's [`Tally`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Fared {
+pub(super) struct SubstepResult {
     pub iterations: u32,
     pub converged: bool,
     pub quarantined: bool,
 }
 
-impl From<&StrandOutcome> for Fared {
+impl From<&StrandOutcome> for SubstepResult {
     fn from(outcome: &StrandOutcome) -> Self {
         Self { iterations: outcome.iterations, converged: outcome.converged, quarantined: outcome.quarantined }
     }
 }
 
-impl Default for Fared {
+impl Default for SubstepResult {
     /// Nothing was done, and it converged.
     fn default() -> Self {
         Self { iterations: 0, converged: true, quarantined: false }
@@ -102,7 +102,7 @@ pub(super) struct Authored {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Tally {
     pub iterations: u64,
-    pub most_iterations: u32,
+    pub max_iterations: u32,
     pub unconverged: u32,
     pub quarantined: u32,
     pub residual: f64,
@@ -117,7 +117,7 @@ impl Tally {
     /// Counts one substep.
     pub fn add(&mut self, outcome: &StrandOutcome) {
         self.iterations += u64::from(outcome.iterations);
-        self.most_iterations = self.most_iterations.max(outcome.iterations);
+        self.max_iterations = self.max_iterations.max(outcome.iterations);
         self.quarantined += u32::from(outcome.quarantined);
         self.unconverged += u32::from(!outcome.converged && !outcome.quarantined);
         self.residual = self.residual.max(outcome.residual);
@@ -130,7 +130,7 @@ impl Tally {
     /// Counts other strands' substeps.
     pub fn merge(&mut self, other: &Self) {
         self.iterations += other.iterations;
-        self.most_iterations = self.most_iterations.max(other.most_iterations);
+        self.max_iterations = self.max_iterations.max(other.max_iterations);
         self.quarantined += other.quarantined;
         self.unconverged += other.unconverged;
         self.residual = self.residual.max(other.residual);
@@ -169,12 +169,12 @@ impl Strand {
             state,
             root_move: None,
             energies: Energies::default(),
-            fared: Fared::default(),
-            holds: Holds::No,
+            last: SubstepResult::default(),
+            constrained: Constrained::No,
             touched: false,
             contact: None,
-            allowance: None,
-            astray: None,
+            permitted_overlap: None,
+            divergence: None,
             frozen: None,
         }
     }
@@ -191,14 +191,14 @@ impl Strand {
     }
 
     /// Whether it steps through this substep as a constrained strand.
-    pub fn is_held(&self) -> bool {
-        matches!(self.holds, Holds::Perhaps | Holds::Yes)
+    pub fn is_constrained(&self) -> bool {
+        matches!(self.constrained, Constrained::Perhaps | Constrained::Yes)
     }
 
     pub fn status(&self) -> StrandStatus {
-        if self.fared.quarantined {
+        if self.last.quarantined {
             StrandStatus::Quarantined
-        } else if !self.fared.converged {
+        } else if !self.last.converged {
             StrandStatus::Unconverged
         } else {
             StrandStatus::Ok
@@ -249,7 +249,7 @@ impl Strand {
     }
 
     /// A move of duration 0 takes the next substep of `h` seconds.
-    pub fn begin_root_way(&mut self, h: f64) {
+    pub fn begin_root_move(&mut self, h: f64) {
         if let Some((root_move, _)) = self.root_move.as_deref_mut()
             && root_move.duration == 0.0
         {
@@ -280,11 +280,11 @@ impl Strand {
     }
 
     /// Records the result of a substep of `h` seconds with these `bodies`.
-    pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, bodies: &[BodyAt], scratch: &mut Scratch) {
-        self.fared = (&outcome).into();
+    pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, bodies: &[BodyAt], scratch: &mut StepScratch) {
+        self.last = (&outcome).into();
         if outcome.quarantined {
             self.roll_back(h, bodies);
-        } else if self.astray.is_some() {
+        } else if self.divergence.is_some() {
             self.clear_divergence();
         }
         self.advance_root(h);
@@ -335,9 +335,12 @@ impl Strand {
             self.authored.as_ref().map_or(0, |authored| size_of::<Authored>() + lists(&authored.lengths, &authored.natural));
         let root_move = self.root_move.as_ref().map_or(0, |_| size_of::<(PoseMove, f64)>());
         let contact = self.contact.as_ref().map_or(0, |_| size_of::<StrandContact>());
-        let allowance = self.allowance.as_ref().map_or(0, |allowance| size_of::<Allowance>() + allowance.heap_bytes());
+        let permitted_overlap = self
+            .permitted_overlap
+            .as_ref()
+            .map_or(0, |permitted_overlap| size_of::<PermittedOverlap>() + permitted_overlap.heap_bytes());
         let own = contact
-            + allowance
+            + permitted_overlap
             + authored
             + root_move
             + lists(&self.model.lengths, &self.model.natural)

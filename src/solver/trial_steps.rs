@@ -5,7 +5,7 @@
 //! continues with the same bits.
 
 use super::report::Energies;
-use super::strand::{Fared, Holds, Strand, Tally};
+use super::strand::{Constrained, Strand, SubstepResult, Tally};
 use crate::contact::body::BodyAt;
 use crate::contact::path_clearance::{self, FreePath};
 use crate::math::frame::Frame;
@@ -25,7 +25,7 @@ pub(super) struct TrialSteps {
     count: usize,
     /// The results of the trials, by the strands' indices in the task.
     outcomes: Vec<StrandOutcome>,
-    path: path_clearance::Scratch,
+    path: path_clearance::ClearanceScratch,
 }
 
 /// A strand before the substep.
@@ -35,7 +35,7 @@ struct Saved {
     index: usize,
     state: StrandState,
     energies: Energies,
-    fared: Fared,
+    last: SubstepResult,
     root_move: Option<(PoseMove, f64)>,
     /// The root's poses at the start and the end.
     root: [Frame; 2],
@@ -50,22 +50,22 @@ impl TrialSteps {
         if meter.is_halted() {
             return;
         }
-        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| strand.holds == Holds::Perhaps) {
+        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| strand.constrained == Constrained::Perhaps) {
             // (The step after one under pressure uses another formula than the free one.)
-            if strand.touched || strand.astray.is_some() {
+            if strand.touched || strand.divergence.is_some() {
                 continue;
             }
             let root = strand.root_during(h);
-            if near(strand, &root, bodies).any(|body| !path_clearance::can_tell(body)) {
+            if near(strand, &root, bodies).any(|body| !path_clearance::can_decide(body)) {
                 continue;
             }
-            strand.holds = Holds::OnTrial;
+            strand.constrained = Constrained::OnTrial;
             if self.count == self.saved.len() {
                 self.saved.push(Saved::default());
             }
             let saved = &mut self.saved[self.count];
             saved.state.clone_from(&strand.state);
-            (saved.index, saved.energies, saved.fared) = (index, strand.energies, strand.fared);
+            (saved.index, saved.energies, saved.last) = (index, strand.energies, strand.last);
             (saved.root, saved.root_move) = (root, strand.root_move.as_deref().cloned());
             self.count += 1;
         }
@@ -84,19 +84,25 @@ impl TrialSteps {
             let (strand, outcome) = (&mut strands[saved.index], &outcomes[saved.index]);
             if !outcome.quarantined && saved.stayed_clear(strand, bodies, SLACK * tolerance, path) {
                 tally.add(outcome);
-                strand.holds = Holds::No;
+                strand.constrained = Constrained::No;
                 continue;
             }
             std::mem::swap(&mut strand.state, &mut saved.state);
-            (strand.energies, strand.fared, strand.astray) = (saved.energies, saved.fared, None);
+            (strand.energies, strand.last, strand.divergence) = (saved.energies, saved.last, None);
             strand.root_move = saved.root_move.take().map(Box::new);
-            strand.holds = Holds::Perhaps;
+            strand.constrained = Constrained::Perhaps;
         }
     }
 }
 
 impl Saved {
-    fn stayed_clear(&self, strand: &Strand, bodies: &[BodyAt], spare: f64, scratch: &mut path_clearance::Scratch) -> bool {
+    fn stayed_clear(
+        &self,
+        strand: &Strand,
+        bodies: &[BodyAt],
+        spare: f64,
+        scratch: &mut path_clearance::ClearanceScratch,
+    ) -> bool {
         let Some(contact) = strand.contact.as_deref() else { return true };
         let path = FreePath {
             lengths: &strand.model.lengths,
@@ -104,7 +110,7 @@ impl Saved {
             curvatures: [&self.state.curvatures, &strand.state.curvatures],
             exempt: contact.exempt_length,
             radius: contact.radius,
-            allowance: strand.allowance.as_deref(),
+            permitted_overlap: strand.permitted_overlap.as_deref(),
         };
         path.is_clear_of(near(strand, &self.root, bodies), spare, scratch)
     }

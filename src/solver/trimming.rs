@@ -11,7 +11,7 @@ use crate::rod::kinematics::Kinematics;
 use crate::rod::segment;
 use crate::rod::strand::StrandModel;
 use crate::step::regrid;
-use crate::step::state::{Earlier, Past, StrandState, rotation_matrix};
+use crate::step::state::{Earlier, History, StrandState, rotation_matrix};
 
 /// A strand with a new length.
 struct Trimmed {
@@ -77,7 +77,7 @@ impl Solver {
             return;
         }
         // The warm start's contacts are at arclengths that may be gone.
-        self.holding.forget();
+        self.constrained_substep.forget();
         let mut kinematics = Kinematics::default();
         for Trimmed { index, model, state, authored } in made {
             let strand = &mut self.strands[index];
@@ -114,7 +114,7 @@ impl Solver {
 /// Whether nothing of a strand moves or has moved: its state is then that of a new strand.
 fn is_still(state: &StrandState) -> bool {
     let zero = |vector: nalgebra::Vector3<f64>| vector == nalgebra::Vector3::zeros();
-    state.past.step == 0.0
+    state.history.step == 0.0
         && state.rates.iter().flatten().chain(state.velocities.iter().flat_map(|v| &v.0)).all(|x| *x == 0.0)
         && zero(state.root_velocity)
         && zero(state.root_angular_velocity)
@@ -153,13 +153,14 @@ fn cut(strand: &Strand, index: usize, lengths: Vec<f64>, arclength: f64, rules: 
         curvatures: rows(&state.curvatures),
         rates: rows(&state.rates),
         velocities: velocities(&state.velocities),
-        past: Past::default(),
+        history: History::default(),
         ..state.clone()
     };
-    if state.past.step > 0.0 {
-        let past = &state.past;
-        let earlier = Earlier { curvatures: rows(&past.curvatures), velocities: velocities(&past.velocities), root: past.root };
-        new.past = Past::new(past.step, earlier);
+    if state.history.step > 0.0 {
+        let history = &state.history;
+        let earlier =
+            Earlier { curvatures: rows(&history.curvatures), velocities: velocities(&history.velocities), root: history.root };
+        new.history = History::new(history.step, earlier);
     }
     let model = StrandModel::of_section(lengths, rows(&model.natural), model.section().clone());
     if is_still(&new) {
@@ -180,7 +181,7 @@ fn grown(strand: &Strand, index: usize, growth: &Growth, rules: &Rules) -> Trimm
         curvatures: whole.rows(&state.curvatures),
         rates,
         velocities: state.velocities.clone(),
-        past: Past::default(),
+        history: History::default(),
         ..state.clone()
     };
     if is_still(state) {

@@ -57,7 +57,7 @@ impl Solver {
     pub(super) fn look_up_wind(&mut self, from: f64, h: f64) {
         let Some(field) = self.wind_field.clone() else { return };
         let rules = &self.rules;
-        self.crew.for_each(&mut self.strands, |strand, scratch| {
+        self.workers.for_each(&mut self.strands, |strand, scratch| {
             let Strand { model, state, frozen, .. } = strand;
             if model.material.air_drag == 0.0 || frozen.is_some() {
                 state.air = None;

@@ -6,9 +6,9 @@ use crate::step;
 
 /// The scratch memory of one worker.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct WorkerScratch {
     /// For strands, one pack at a time.
-    pub step: step::scratch::Scratch,
+    pub step: step::scratch::StepScratch,
     /// For islands of constrained strands, one at a time.
     pub problem: ProblemScratch,
     /// For strands near bodies, one task at a time.
@@ -16,4 +16,4 @@ pub(super) struct Scratch {
 }
 
 /// Workers with the scratch memory of a step.
-pub(super) type Crew = crate::workers::Crew<Scratch>;
+pub(super) type WorkerSet = crate::workers::WorkerSet<WorkerScratch>;

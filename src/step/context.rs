@@ -1,6 +1,6 @@
 //! What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
 
-use super::members::Members;
+use super::members::Pack;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
 use crate::math::lane::MAX_LANES;
@@ -8,7 +8,7 @@ use crate::math::lane::MAX_LANES;
 /// A step of strands side by side, as the integrators take it.
 pub struct StepContext<'a, T, S> {
     /// The strands.
-    pub members: &'a dyn Members,
+    pub members: &'a dyn Pack,
     /// What acts on them, and how.
     pub setting: &'a Setting<'a>,
     /// Seconds of the step.

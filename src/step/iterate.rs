@@ -113,21 +113,21 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
 /// along their tangents. Computed from the current forces and the kinematics at the start of that motion, which are now the trial
 /// ones.
 #[inline(always)]
-pub(super) fn foresee<T: Lane>(it: &mut Iterate<T>, axes: &[usize], gone: &[f64; MAX_LANES]) {
+pub(super) fn predict_tension<T: Lane>(it: &mut Iterate<T>, axes: &[usize], gone: &[f64; MAX_LANES]) {
     let Iterate { trial, system, change, .. } = it;
     system.point_tension.clone_from(&system.point_force);
     let gone = T::from_lanes(|lane| gone[lane]);
     let (tension, stiffness) = (&mut system.point_tension, &system.point_stiffness);
     macro_rules! call {
         ($_list:ident, $count:literal, $mask:literal) => {
-            T::call(Foresee::<_, $count, $mask> { trial, tension, stiffness, change, gone })
+            T::call(PredictTension::<_, $count, $mask> { trial, tension, stiffness, change, gone })
         };
     }
     for_axes!(axes, call);
 }
 
-/// [`foresee`] for the D free curvatures of MASK.
-struct Foresee<'a, T, const D: usize, const MASK: u32> {
+/// [`predict_tension`] for the D free curvatures of MASK.
+struct PredictTension<'a, T, const D: usize, const MASK: u32> {
     trial: &'a Kinematics<T>,
     tension: &'a mut [Vec3<T>],
     stiffness: &'a [T],
@@ -135,7 +135,7 @@ struct Foresee<'a, T, const D: usize, const MASK: u32> {
     gone: T,
 }
 
-impl<T: Lane, const D: usize, const MASK: u32> Kernel for Foresee<'_, T, D, MASK> {
+impl<T: Lane, const D: usize, const MASK: u32> Kernel for PredictTension<'_, T, D, MASK> {
     type Output = ();
     #[inline(always)]
     fn run(self) {

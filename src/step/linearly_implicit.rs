@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use super::context::StepContext;
 use super::iterate::wrench;
-use super::members::{self, Members, Reads};
+use super::members::{self, Pack, Reads};
 use super::workspace::Workspace;
 use super::{StrandOutcome, stages, whole};
 use crate::chain::system::LinearSolve;
@@ -25,7 +25,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     let rule = setting.rules.rule(members.state(0).rule);
     let freedoms = members.model(0).freedoms;
     let (axes, free) = (freedoms.axes(), freedoms.count());
-    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: false, past: false });
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: false, history: false });
     let (end_rotation, _) = stages::move_roots(h, members, workspace);
     whole::measure_roots(members, h, workspace);
     let (start, end) = root_motions(members, h, workspace);
@@ -116,7 +116,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
 /// The motion of the roots over the step as seen from its start and from its end: the step's mean velocity at its end, and the
 /// acceleration from the last mean velocity to that.
 #[inline(always)]
-fn root_motions<T: Lane>(members: &dyn Members, h: f64, workspace: &Workspace<T>) -> (RootMotion<T>, RootMotion<T>) {
+fn root_motions<T: Lane>(members: &dyn Pack, h: f64, workspace: &Workspace<T>) -> (RootMotion<T>, RootMotion<T>) {
     let (mut start, mut end) = (RootMotion::still(), RootMotion::still());
     for lane in 0..T::LANES {
         let member = workspace.loaded.member(lane);

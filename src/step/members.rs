@@ -12,8 +12,8 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::strand::StrandModel;
 
-/// Strands with one pack key ([`Kind`]).
-pub trait Members {
+/// Strands with one pack key ([`PackKey`]).
+pub trait Pack {
     /// How many there are: 1 to the number of lanes.
     fn count(&self) -> usize;
     /// A strand's constants.
@@ -29,13 +29,13 @@ pub trait Members {
 /// The pack key: what strands must share to step side by side, as one number. It holds the number of elements, the quadrature
 /// rule, the free curvatures, the active terms (drag, internal friction along each axis), and whether the step uses the history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct Kind(u64);
+pub struct PackKey(u64);
 
-impl Kind {
+impl PackKey {
     /// The key of a strand in a step of `h` seconds.
     pub fn of(model: &StrandModel, state: &StrandState, integrator: Integrator, h: f64) -> Self {
-        let past = integrator == Integrator::SecondOrder && stages::leans_on_past(state, h);
-        let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(past) << 1;
+        let history = integrator == Integrator::SecondOrder && stages::uses_history(state, h);
+        let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(history) << 1;
         for axis in 0..3 {
             terms |= u64::from(model.dissipation[axis] > 0.0) << (axis + 2);
         }
@@ -54,7 +54,7 @@ pub struct One<'a> {
     pub root_at: &'a dyn Fn(f64) -> Frame,
 }
 
-impl Members for One<'_> {
+impl Pack for One<'_> {
     fn count(&self) -> usize {
         1
     }
@@ -277,7 +277,7 @@ pub struct Reads {
     /// The points' velocities.
     pub velocities: bool,
     /// The last step.
-    pub past: bool,
+    pub history: bool,
 }
 
 impl<T: Lane> Loaded<T> {
@@ -289,7 +289,7 @@ impl<T: Lane> Loaded<T> {
 
     /// Loads every lane. A lane's unit of curvature is 1/length.
     #[inline(always)]
-    pub fn load(&mut self, members: &dyn Members, surroundings: &Surroundings, h: f64, reads: Reads) {
+    pub fn load(&mut self, members: &dyn Pack, surroundings: &Surroundings, h: f64, reads: Reads) {
         let elements = members.model(0).element_count();
         let points = members.state(0).velocities.len();
         self.count = members.count();
@@ -300,13 +300,13 @@ impl<T: Lane> Loaded<T> {
         if reads.velocities {
             self.velocities.resize(points, Vec3::zero());
         }
-        if reads.past {
+        if reads.history {
             self.past_curvatures.resize(elements, [T::zero(); 3]);
             self.past_velocities.resize(points, Vec3::zero());
         }
         if T::PRECISION == Precision::F32 {
             self.compensation.resize(elements, [T::zero(); 3]);
-            if reads.past {
+            if reads.history {
                 self.past_compensation.resize(elements, [T::zero(); 3]);
             }
         }
@@ -369,15 +369,15 @@ impl<T: Lane> Loaded<T> {
         if reads.velocities {
             put_vectors(&mut self.velocities, lane, &state.velocities, 1.0 / units.speed());
         }
-        if reads.past {
-            put_rows(&mut self.past_curvatures, lane, &state.past.curvatures, length);
+        if reads.history {
+            put_rows(&mut self.past_curvatures, lane, &state.history.curvatures, length);
             if T::PRECISION == Precision::F32 {
-                put_compensation(&mut self.past_compensation, lane, &state.past.curvatures, length, &self.past_curvatures);
+                put_compensation(&mut self.past_compensation, lane, &state.history.curvatures, length, &self.past_curvatures);
             }
-            put_vectors(&mut self.past_velocities, lane, &state.past.velocities, 1.0 / units.speed());
-            put_rotation(&mut self.past_rotation, lane, &state.past.root);
-            put_offset(&mut self.past_offset, lane, &state.root, &state.past.root, &units);
-            self.past_step.set_lane(lane, state.past.step / time);
+            put_vectors(&mut self.past_velocities, lane, &state.history.velocities, 1.0 / units.speed());
+            put_rotation(&mut self.past_rotation, lane, &state.history.root);
+            put_offset(&mut self.past_offset, lane, &state.root, &state.history.root, &units);
+            self.past_step.set_lane(lane, state.history.step / time);
         }
     }
 }

@@ -2,16 +2,16 @@
 //!
 //! Files:
 //!
+//! - `constrained_pack.rs`: A pack of constrained strands: the work of `super::constrained_step` that is the same for all of them, side by side.
+//! - `constrained_packs.rs`: Packs of constrained strands, in registers of any width.
+//! - `constrained_single.rs`: A constrained strand that takes its step alone, an iteration at a time.
+//! - `constrained_step.rs`: The step of one constrained strand, one Newton iteration at a time.
 //! - `context.rs`: What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
 //! - `damping.rs`: Levenberg–Marquardt damping of the rotations in Newton's iteration: the parameter λ, N·m/rad, from iteration to iteration.
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium of a strand under gravity: a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
-//! - `held.rs`: The step of strands that forces from outside hold at stations, one Newton iteration at a time.
-//! - `held_alone.rs`: A strand that forces hold at stations and that takes its step by itself, an iteration at a time.
-//! - `held_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
-//! - `held_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::held`.
-//! - `held_packs.rs`: Packs of strands that forces hold, in registers of any width.
 //! - `iterate.rs`: The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand between them.
+//! - `lane_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination includes them all.
 //! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
 //! - `linearly_implicit.rs`: The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its second-order terms.
 //! - `local_error.rs`: The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
@@ -33,16 +33,16 @@
 //! - `whole.rs`: A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 //! - `workspace.rs`: The scratch memory of a step, one per worker, kept between strands and steps so that nothing is allocated once it has grown.
 
+pub mod constrained_pack;
+pub mod constrained_packs;
+pub mod constrained_single;
+pub mod constrained_step;
 pub mod context;
 pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;
-pub mod held;
-pub mod held_alone;
-mod held_loads;
-pub mod held_pack;
-pub mod held_packs;
 pub mod iterate;
+mod lane_loads;
 mod line_search;
 pub mod linearly_implicit;
 pub mod local_error;
@@ -68,9 +68,9 @@ use crate::energy::Energies;
 use crate::math::lane::{Lane, Precision};
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
-use members::{Members, One};
+use members::{One, Pack};
 use options::{Integrator, StepOptions};
-use scratch::{Bench, Scratch};
+use scratch::{Bench, StepScratch};
 use single::Single;
 use state::RuleScratch;
 use workspace::Workspace;
@@ -137,7 +137,7 @@ impl Default for StrandOutcome {
 
 impl StrandOutcome {
     /// Adds a substep of a constrained strand.
-    pub(crate) fn add_held_part(&mut self, part: &Self) {
+    pub(crate) fn add_constrained_substep(&mut self, part: &Self) {
         self.iterations += part.iterations;
         self.quarantined |= part.quarantined;
         self.add_substep(part);
@@ -157,7 +157,7 @@ impl StrandOutcome {
 /// Takes one strand through a step of `h` seconds. A strand that turns non-finite is rolled back.
 ///
 /// A step that fails is taken in substeps: see [`StepOptions::max_subdivisions`].
-pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
+pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch) -> StrandOutcome {
     if setting.options.integrator == Integrator::Reference {
         return take_reference(setting, one, h, scratch);
     }
@@ -173,7 +173,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> 
 }
 
 /// Finishes the step of a strand that tried it in one piece: in substeps if that failed.
-pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut Scratch) -> StrandOutcome {
+pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut StepScratch) -> StrandOutcome {
     if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
         one.state.subdivision = 0;
         return *whole;
@@ -183,8 +183,8 @@ pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, s
     outcome
 }
 
-fn take_in_substeps(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
-    let Scratch { one: bench, one_f32, rule, before_step, .. } = scratch;
+fn take_in_substeps(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut StepScratch) -> StrandOutcome {
+    let StepScratch { one: bench, one_f32, rule, before_step, .. } = scratch;
     let begin = before_step.get_or_insert_default();
     match setting.options.precision {
         Precision::F64 => subdivision::in_substeps(one, setting, h, level, bench, rule, begin),
@@ -210,7 +210,7 @@ fn take_whole<T: Single>(
 
 /// Makes the end of a step in one piece the strand's state, at the quadrature rule of its new shape.
 fn keep<T: Lane>(
-    members: &mut dyn Members,
+    members: &mut dyn Pack,
     lane: usize,
     setting: &Setting,
     h: f64,
@@ -223,10 +223,10 @@ fn keep<T: Lane>(
 }
 
 /// A step of the reference integrator, which works on the state itself.
-fn take_reference(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
+fn take_reference(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch) -> StrandOutcome {
     let before = scratch.before_step.get_or_insert_default();
     before.clone_from(one.state);
-    one.state.past.step = 0.0;
+    one.state.history.step = 0.0;
     let mut outcome = reference::take(setting, one, h, &mut scratch.one, &mut scratch.rule);
     if outcome.quarantined || !one.state.is_finite() {
         one.state.clone_from(before);

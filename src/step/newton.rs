@@ -14,7 +14,7 @@
 
 use super::StrandOutcome;
 use super::damping::Damping;
-use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_compensation};
+use super::iterate::{Iterate, Problem, forces, place_accepted, place_compensation, predict_tension};
 use super::line_search::{self, LineSearch, Merit, lanes};
 use super::options::{LinearSolver, StepOptions};
 use crate::chain::dense::{Dense, DenseMethod};
@@ -172,7 +172,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             break;
         }
         if options.exact_hessian {
-            foresee(it, problem.axes, &control.gone);
+            predict_tension(it, problem.axes, &control.gone);
         }
         if S::DAMPED && to_check != 0 {
             let still = stationary(problem, it, solver, options);

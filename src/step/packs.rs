@@ -1,7 +1,7 @@
 //! The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
 
-use super::members::Members;
-use super::scratch::{Bench, Scratch};
+use super::members::Pack;
+use super::scratch::{Bench, StepScratch};
 use super::state::RuleScratch;
 use super::whole::Take;
 use super::{Setting, StrandOutcome, keep, subdivision};
@@ -22,16 +22,16 @@ pub fn width(precision: Precision, set: InstructionSet) -> usize {
     }
 }
 
-/// Takes strands with one [pack key](super::members::Kind), at least two and at most [`width`], through a step of `h` seconds in
+/// Takes strands with one [pack key](super::members::PackKey), at least two and at most [`width`], through a step of `h` seconds in
 /// one piece, side by side; none may start with substeps. Each strand gets the same bits as from [`super::take`]. An acceptable
 /// end, or that of a strand that may not be subdivided, becomes its state; the other strands stay unchanged for
 /// [`super::finish`].
 pub fn take(
-    members: &mut dyn Members,
+    members: &mut dyn Pack,
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    scratch: &mut Scratch,
+    scratch: &mut StepScratch,
 ) -> [StrandOutcome; MAX_LANES] {
     let rule = &mut scratch.rule;
     #[cfg(target_arch = "x86_64")]
@@ -67,7 +67,7 @@ pub fn take(
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 fn in_lanes<T: Lane>(
-    members: &mut dyn Members,
+    members: &mut dyn Pack,
     setting: &Setting,
     h: f64,
     bench: &mut Option<Box<Bench<T>>>,

@@ -8,7 +8,7 @@
 //! become the nearest polynomials on the new elements: momentum stays, and kinetic energy does not grow. The rates are those
 //! whose velocities are nearest to them by mass.
 
-use super::state::{Earlier, Past, StrandState, rotation_matrix};
+use super::state::{Earlier, History, StrandState, rotation_matrix};
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{ChainSystem, LinearSolve};
 use crate::math::frame::Frame;
@@ -171,7 +171,8 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
     let mut curvatures = sum(&new.natural, &means(&old.borders, &strain, &new_borders), new);
     let rates = means(&old.borders, &state.rates, &new_borders);
     // The root, the wrench and whatever else does not depend on elements stay the same.
-    let mut out = StrandState { curvatures: Vec::new(), rates, velocities: Vec::new(), past: Past::default(), ..state.clone() };
+    let mut out =
+        StrandState { curvatures: Vec::new(), rates, velocities: Vec::new(), history: History::default(), ..state.clone() };
     let carried = means(&old.borders, &model.natural, &new_borders);
     let pairs = || new.natural.iter().flatten().zip(carried.iter().flatten());
     let same = pairs().all(|(a, b)| (a - b).abs() <= SAME_CURVATURE * (a.abs() + b.abs()));
@@ -179,13 +180,13 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
         // Not natural + strain, which rounds. The old rule suits the smaller elements too, and can represent the old velocities.
         out.curvatures = means(&old.borders, &state.curvatures, &new_borders);
         out.velocities = resampled(&mut old, &new_borders, rules, out.rule, &state.velocities);
-        if state.past.step > 0.0 {
+        if state.history.step > 0.0 {
             let earlier = Earlier {
-                curvatures: means(&old.borders, &state.past.curvatures, &new_borders),
-                velocities: resampled(&mut old, &new_borders, rules, out.rule, &state.past.velocities),
-                root: state.past.root,
+                curvatures: means(&old.borders, &state.history.curvatures, &new_borders),
+                velocities: resampled(&mut old, &new_borders, rules, out.rule, &state.history.velocities),
+                root: state.history.root,
             };
-            out.past = Past::new(state.past.step, earlier);
+            out.history = History::new(state.history.step, earlier);
         }
         let report = distances(&old, new, &out, &new_borders, rules);
         return (out, Regrid { exact: true, ..report });

@@ -24,7 +24,7 @@ impl<T: Lane> Default for Bench<T> {
 
 /// Scratch memory for one pack of strands at a time, of any pack key.
 #[derive(Debug, Default)]
-pub struct Scratch {
+pub struct StepScratch {
     /// One strand at a time, f64.
     pub one: Bench<f64>,
     /// One strand at a time, f32.

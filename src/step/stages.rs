@@ -12,7 +12,7 @@
 
 use super::context::StepContext;
 use super::iterate::{Iterate, Problem, choose_start};
-use super::members::{self, Loaded, Members, Reads};
+use super::members::{self, Loaded, Pack, Reads};
 use super::newton;
 use super::state::StrandState;
 use super::tableau::{self, Tableau};
@@ -33,7 +33,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(tableau: &Tableau, context: &mut StepCon
     let (members, setting, h) = (context.members, context.setting, context.h);
     let workspace = &mut *context.workspace;
     let rule = setting.rules.rule(members.state(0).rule);
-    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: false });
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, history: false });
     base(rule, workspace);
     *context.outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
     for index in 0..tableau.stages {
@@ -41,7 +41,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(tableau: &Tableau, context: &mut StepCon
         displace(index, tableau, workspace);
         let span = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
         let step = workspace.loaded.step;
-        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(span) * step };
+        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, span: T::splat(span) * step };
         solve_stage(times, tableau.times[index] * h, context);
     }
     if setting.options.error_tolerance > 0.0 {
@@ -52,7 +52,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(tableau: &Tableau, context: &mut StepCon
 
 /// One step of the two-step backward differentiation formula: one stage over k = h/a₀ from the extrapolation of the past two
 /// positions, velocities and curvatures, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, where ω is the ratio of
-/// this step to the last and a₀ = (1+2ω)/(1+ω). Needs a history: see [`leans_on_past`].
+/// this step to the last and a₀ = (1+2ω)/(1+ω). Needs a history: see [`uses_history`].
 #[inline(always)]
 fn backward_difference<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     let (members, setting, h) = (context.members, context.setting, context.h);
@@ -68,13 +68,13 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_,
 /// The start of [`backward_difference`]'s stage; returns its times, and ω.
 #[inline(always)]
 pub(super) fn start_backward_difference<T: Lane>(
-    members: &dyn Members,
+    members: &dyn Pack,
     setting: &Setting,
     h: f64,
     workspace: &mut Workspace<T>,
 ) -> (StageTimes<T>, T) {
     let rule = setting.rules.rule(members.state(0).rule);
-    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: true });
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, history: true });
     past_base(rule, workspace);
     base(rule, workspace);
 
@@ -110,29 +110,24 @@ pub(super) fn start_backward_difference<T: Lane>(
         }
     }
 
-    (StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, way: loaded.step }, ratio)
+    (StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, span: loaded.step }, ratio)
 }
 
 /// The start of an implicit Euler step; returns its times.
 #[inline(always)]
-pub(super) fn start_euler<T: Lane>(
-    members: &dyn Members,
-    setting: &Setting,
-    h: f64,
-    workspace: &mut Workspace<T>,
-) -> StageTimes<T> {
+pub(super) fn start_euler<T: Lane>(members: &dyn Pack, setting: &Setting, h: f64, workspace: &mut Workspace<T>) -> StageTimes<T> {
     let rule = setting.rules.rule(members.state(0).rule);
-    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: false });
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, history: false });
     base(rule, workspace);
     displace(0, &tableau::IMPLICIT_EULER, workspace);
-    StageTimes { index: 0, k: workspace.loaded.step, way: workspace.loaded.step }
+    StageTimes { index: 0, k: workspace.loaded.step, span: workspace.loaded.step }
 }
 
 /// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's
 /// size, has no history and takes two implicit Runge–Kutta stages.
 #[inline(always)]
 pub fn two_step<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
-    if leans_on_past(context.members.state(0), context.h) {
+    if uses_history(context.members.state(0), context.h) {
         backward_difference(context);
     } else {
         take(&tableau::TWO_STAGES, context);
@@ -140,8 +135,8 @@ pub fn two_step<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>)
 }
 
 /// Whether a step of `h` seconds of the second-order integrator uses backward differences.
-pub fn leans_on_past(state: &StrandState, h: f64) -> bool {
-    state.past.step > 0.0 && h <= LARGEST_RATIO * (1.0 + 1e-9) * state.past.step
+pub fn uses_history(state: &StrandState, h: f64) -> bool {
+    state.history.step > 0.0 && h <= LARGEST_RATIO * (1.0 + 1e-9) * state.history.step
 }
 
 /// The formula is stable for steps that grow by less than 1 + √2; well below that it is accurate too.
@@ -154,7 +149,7 @@ pub(super) struct StageTimes<T> {
     /// The stage is an implicit Euler step of this length.
     pub k: T,
     /// From the end of the last stage, or the start of the step, to the end of this one.
-    pub way: T,
+    pub span: T,
 }
 
 /// Solves the stage that ends `seconds` after the start of the step, for the strands that no earlier stage lost; it becomes the
@@ -211,7 +206,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
         let stage = &mut stage[0];
         let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
         assemble_terms(times.k, offset, &rule.weights, loaded, stage, iterate);
-        lead(times.way, freedoms, loaded, before.last(), iterate);
+        lead(times.span, freedoms, loaded, before.last(), iterate);
         let start = choose_start(&problem, iterate);
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
@@ -299,7 +294,7 @@ impl<T: Lane> Kernel for Positions<'_, T> {
 /// Moves the roots to their poses `seconds` after the start of the step: sets their rotations, returns how far their origins
 /// moved.
 #[inline(always)]
-pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut Workspace<T>) -> (Mat3<T>, Vec3<T>) {
+pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Pack, workspace: &mut Workspace<T>) -> (Mat3<T>, Vec3<T>) {
     let (mut rotation, mut offset) = (Mat3::zero(), Vec3::zero());
     for lane in 0..T::LANES {
         let member = workspace.loaded.member(lane);
@@ -315,7 +310,7 @@ pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut 
 
 /// Stores the error that the step added, relative to the strands' lengths.
 #[inline(always)]
-fn store_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
+fn store_error<T: Lane>(error: T, members: &dyn Pack, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
     for lane in 0..workspace.loaded.count {
         outcomes[lane].error = error.lane(lane) * workspace.loaded.units[lane].length / members.model(lane).length();
     }

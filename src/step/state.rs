@@ -36,7 +36,7 @@ pub struct StrandState {
     /// Torque on the follicle about its origin, N·m.
     pub wrench_torque: Vec3<f64>,
     /// The last step, for integrators that need its history.
-    pub past: Past,
+    pub history: History,
     /// How often to halve the next step from its start: the halvings that the last one needed.
     pub subdivision: u32,
     /// Velocities of the air at the quadrature nodes in the coming step, where there is a field of wind.
@@ -53,7 +53,7 @@ pub struct Air {
 /// The history of the two-step method: the strand at the start of the last step. A strand that never had one uses no memory for
 /// it.
 #[derive(Debug, Default)]
-pub struct Past {
+pub struct History {
     /// Seconds from then to now; 0 for no history.
     pub step: f64,
     earlier: Option<Box<Earlier>>,
@@ -73,7 +73,7 @@ pub struct Earlier {
 /// Reads as the history of a strand that has none.
 static NOTHING: LazyLock<Earlier> = LazyLock::new(Earlier::default);
 
-impl Deref for Past {
+impl Deref for History {
     type Target = Earlier;
 
     #[inline(always)]
@@ -82,14 +82,14 @@ impl Deref for Past {
     }
 }
 
-impl DerefMut for Past {
+impl DerefMut for History {
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut Earlier {
         self.earlier.get_or_insert_default()
     }
 }
 
-impl Past {
+impl History {
     /// The strand `step` seconds ago.
     pub fn new(step: f64, earlier: Earlier) -> Self {
         Self { step, earlier: Some(Box::new(earlier)) }
@@ -103,14 +103,14 @@ impl Past {
     }
 }
 
-impl PartialEq for Past {
+impl PartialEq for History {
     fn eq(&self, other: &Self) -> bool {
         self.step == other.step && (self.step == 0.0 || **self == **other)
     }
 }
 
 // Written out, because a derived clone_from would reallocate, and the state is copied before every step.
-impl Clone for Past {
+impl Clone for History {
     fn clone(&self) -> Self {
         let mut clone = Self::default();
         clone.clone_from(self);
@@ -147,7 +147,7 @@ impl Clone for StrandState {
             curvatures,
             rates,
             velocities,
-            past,
+            history,
             rule,
             root,
             root_velocity,
@@ -160,7 +160,7 @@ impl Clone for StrandState {
         self.curvatures.clone_from(curvatures);
         self.rates.clone_from(rates);
         self.velocities.clone_from(velocities);
-        self.past.clone_from(past);
+        self.history.clone_from(history);
         match (&mut self.air, air) {
             (Some(to), Some(from)) => to.velocities.clone_from(&from.velocities),
             (to, from) => to.clone_from(from),
@@ -183,7 +183,7 @@ impl Default for StrandState {
             root_angular_velocity: Vector3::zeros(),
             wrench_force: Vec3::zero(),
             wrench_torque: Vec3::zero(),
-            past: Past::default(),
+            history: History::default(),
             subdivision: 0,
             air: None,
         }
@@ -218,7 +218,7 @@ impl StrandState {
             angular_velocity: self.root_angular_velocity.into(),
             ..RootMotion::still()
         };
-        self.past.step = 0.0;
+        self.history.step = 0.0;
         self.subdivision = 0;
         let at_rest = self.root_velocity == Vector3::zeros()
             && self.root_angular_velocity == Vector3::zeros()
@@ -241,9 +241,9 @@ impl StrandState {
             return;
         }
         let (from, to) = (rules.rule(self.rule), rules.rule(wanted));
-        let past = if self.past.step > 0.0 { Some(&mut self.past.velocities) } else { None };
+        let history = if self.history.step > 0.0 { Some(&mut self.history.velocities) } else { None };
         let air = self.air.as_deref_mut().map(|air| &mut air.velocities).filter(|air| air.len() == self.velocities.len());
-        for velocities in [Some(&mut self.velocities), past, air].into_iter().flatten() {
+        for velocities in [Some(&mut self.velocities), history, air].into_iter().flatten() {
             scratch.velocities.clear();
             scratch.velocities.resize(model.element_count() * to.len(), Vec3::zero());
             for node in 0..to.len() {
@@ -274,11 +274,13 @@ impl StrandState {
         let turn = root.rotation * self.root.rotation.inverse();
         let turned = |velocity: &mut Vec3<f64>| *velocity = Vec3::from(turn * Vector3::from(*velocity));
         self.velocities.iter_mut().for_each(turned);
-        if self.past.step > 0.0 {
-            let past = &mut *self.past;
-            past.velocities.iter_mut().for_each(turned);
-            past.root =
-                Frame { origin: root.origin + turn * (past.root.origin - self.root.origin), rotation: turn * past.root.rotation };
+        if self.history.step > 0.0 {
+            let history = &mut *self.history;
+            history.velocities.iter_mut().for_each(turned);
+            history.root = Frame {
+                origin: root.origin + turn * (history.root.origin - self.root.origin),
+                rotation: turn * history.root.rotation,
+            };
         }
         self.root_velocity = turn * self.root_velocity;
         self.root_angular_velocity = turn * self.root_angular_velocity;
@@ -290,11 +292,11 @@ impl StrandState {
         self.curvatures.shrink_to_fit();
         self.rates.shrink_to_fit();
         self.velocities.shrink_to_fit();
-        if self.past.step == 0.0 {
-            self.past = Past::default();
+        if self.history.step == 0.0 {
+            self.history = History::default();
         } else {
-            self.past.curvatures.shrink_to_fit();
-            self.past.velocities.shrink_to_fit();
+            self.history.curvatures.shrink_to_fit();
+            self.history.velocities.shrink_to_fit();
         }
     }
 
@@ -302,7 +304,7 @@ impl StrandState {
     pub fn heap_bytes(&self) -> usize {
         let rows = self.curvatures.capacity() + self.rates.capacity() + self.velocities.capacity();
         let air = self.air.as_ref().map_or(0, |air| size_of::<Air>() + size_of::<[f64; 3]>() * air.velocities.capacity());
-        rows * size_of::<[f64; 3]>() + self.past.heap_bytes() + air
+        rows * size_of::<[f64; 3]>() + self.history.heap_bytes() + air
     }
 
     /// Whether every number is finite.

@@ -1,7 +1,7 @@
 //! A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 
 use super::context::StepContext;
-use super::members::{self, Members};
+use super::members::{self, Pack};
 use super::options::Integrator;
 use super::root_velocity::root_velocity;
 use super::workspace::Workspace;
@@ -15,7 +15,7 @@ use crate::math::vector::Vec3;
 /// workspace holds the result. With the second-order integrator all of them must have a usable history, or none.
 pub struct Take<'a, T, S> {
     /// The strands.
-    pub members: &'a dyn Members,
+    pub members: &'a dyn Pack,
     /// The surroundings and the options.
     pub setting: &'a Setting<'a>,
     /// Seconds.
@@ -76,7 +76,7 @@ pub(super) fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
 /// The energies at the end of the step.
 #[inline(always)]
 pub(super) fn energies<T: Lane>(
-    members: &dyn Members,
+    members: &dyn Pack,
     setting: &Setting,
     workspace: &Workspace<T>,
     outcomes: &mut [StrandOutcome; MAX_LANES],
@@ -116,19 +116,19 @@ pub(super) fn energies<T: Lane>(
 
 /// The roots' mean velocities over the step; the roots are at its end.
 #[inline(always)]
-pub fn measure_roots<T: Lane>(members: &dyn Members, h: f64, workspace: &mut Workspace<T>) {
+pub fn measure_roots<T: Lane>(members: &dyn Pack, h: f64, workspace: &mut Workspace<T>) {
     for lane in 0..workspace.loaded.count {
         workspace.root_velocities[lane] = root_velocity(&members.state(lane).root, &workspace.roots[lane], h);
     }
 }
 
 /// Makes the end of the step the state of one strand.
-pub fn save<T: Lane>(members: &mut dyn Members, lane: usize, setting: &Setting, h: f64, workspace: &Workspace<T>) {
+pub fn save<T: Lane>(members: &mut dyn Pack, lane: usize, setting: &Setting, h: f64, workspace: &Workspace<T>) {
     T::call(Save { members, lane, setting, h, workspace });
 }
 
 struct Save<'a, T> {
-    members: &'a mut dyn Members,
+    members: &'a mut dyn Pack,
     lane: usize,
     setting: &'a Setting<'a>,
     h: f64,
@@ -144,13 +144,13 @@ impl<T: Lane> Kernel for Save<'_, T> {
         let (model, state) = members.parts(lane);
         let stage = &workspace.stages[workspace.last_stage];
         if setting.options.integrator == Integrator::SecondOrder {
-            std::mem::swap(&mut state.past.curvatures, &mut state.curvatures);
-            std::mem::swap(&mut state.past.velocities, &mut state.velocities);
-            state.curvatures.resize(state.past.curvatures.len(), [0.0; 3]);
-            state.velocities.resize(state.past.velocities.len(), Vec3::zero());
-            (state.past.root, state.past.step) = (state.root, h);
+            std::mem::swap(&mut state.history.curvatures, &mut state.curvatures);
+            std::mem::swap(&mut state.history.velocities, &mut state.velocities);
+            state.curvatures.resize(state.history.curvatures.len(), [0.0; 3]);
+            state.velocities.resize(state.history.velocities.len(), Vec3::zero());
+            (state.history.root, state.history.step) = (state.root, h);
         } else {
-            state.past.step = 0.0;
+            state.history.step = 0.0;
         }
         let (per_length, speed) = (1.0 / units.length, units.speed());
         for (row, lanes) in state.curvatures.iter_mut().zip(&workspace.iterate.curvatures) {

@@ -100,6 +100,11 @@ impl RingComb {
         self.pose
     }
 
+    /// Puts it elsewhere, without catching what lies between: strands on its teeth go there in the next step.
+    pub fn place_at(&mut self, pose: &Frame) {
+        self.pose = *pose;
+    }
+
     /// The strands on its teeth, each with its constraint.
     pub fn held(&self) -> impl Iterator<Item = (StrandId, ConstraintId)> {
         self.rings.iter().map(|ring| (ring.strand, ring.constraint))

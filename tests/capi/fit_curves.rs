@@ -101,7 +101,7 @@ unsafe extern "C" fn backwards(user: *mut c_void, count: u32, _: u32, function: 
 }
 
 #[test]
-fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
+fn strands_are_those_of_the_rust_functions_with_any_number_of_threads() {
     let (points, counts) = groom();
     let curves = shx_fit_input {
         curve_count: counts.len(),

@@ -124,7 +124,7 @@ fn guides(points: &[[f64; 3]]) -> shx_render_guides {
 }
 
 #[test]
-fn whoever_works_writes_the_same_bits_into_any_stride() {
+fn any_number_of_threads_writes_the_same_bits_into_any_stride() {
     static CALLS: AtomicU32 = AtomicU32::new(0);
     unsafe extern "C" fn backwards(_: *mut c_void, count: u32, _: u32, function: shx_range_fn, task: *mut c_void) {
         let function = function.expect("the engine's function");

@@ -178,7 +178,7 @@ fn rule_9_single_and_bulk_calls_agree() {
 }
 
 #[test]
-fn rule_9_roots_go_in_and_come_out_with_strides() {
+fn rule_9_roots_are_read_and_written_with_strides() {
     let scene = Scene::new();
     #[repr(C)]
     struct Bone {

@@ -330,7 +330,7 @@ fn strands_collide_by_their_groups() {
 }
 
 #[test]
-fn strands_touch_each_other_when_the_scene_says_so() {
+fn strands_collide_with_each_other_if_the_scene_says_so() {
     let directory = directory("hair");
     // One lies across below another that falls on it.
     let strands = json!([
@@ -360,7 +360,7 @@ fn strands_touch_each_other_when_the_scene_says_so() {
 }
 
 #[test]
-fn a_scene_drawn_into_itself_rests_where_that_is_allowed() {
+fn a_scene_drawn_into_itself_rests_where_overlap_is_permitted() {
     // Two strands across each other, half a wisp's radius too near, the first a millimetre in the ground.
     let strand =
         |origin: Value, rotation: Value| json!({"elements": 4, "length": 0.1, "root": {"origin": origin, "rotation": rotation}});

@@ -109,7 +109,7 @@ fn every_key_that_matters_changes_the_motion() {
 }
 
 #[test]
-fn keys_that_only_say_how_change_nothing() {
+fn keys_without_effect_on_the_result_change_nothing() {
     let directory = directory("how");
     let reference = last_tip(&run(&directory, &small_scene()));
     for (pointer, value) in [
@@ -324,7 +324,7 @@ fn a_moving_head_gives_the_reference_trajectory() {
 }
 
 #[test]
-fn numbers_come_back_to_the_last_bit() {
+fn numbers_are_restored_to_the_last_bit() {
     // Numbers that a parser which is right to an ulp only gets wrong.
     let rows = "[[1e-30, 2.2250738585072014e-308, 7.1202363472230444e-307]]";
     let scene = with(with(small_scene(), "/duration", json!(0)), "/output", json!(["curvatures"])).to_string();

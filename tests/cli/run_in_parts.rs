@@ -58,7 +58,7 @@ fn append(earlier: &mut Value, later: &Value) {
 }
 
 #[test]
-fn parts_of_a_run_are_the_whole_run_to_the_bit() {
+fn a_run_in_parts_is_the_whole_run_to_the_bit() {
     let path = directory("parts_of_a_run").join("scene.json");
     std::fs::write(&path, scene().to_string()).unwrap();
     let (status, said, whole) = run(&path, "whole.json", &[]);

@@ -94,7 +94,7 @@ fn a_style_holds_as_firmly_as_requested() {
 
 /// How many strands rest as drawn, and what was done for the others, is said.
 #[test]
-fn it_is_said_who_rests_as_drawn() {
+fn strands_that_rest_as_drawn_are_reported() {
     let groom = data("amd_ponytail_tail.tfx");
     let fixed = [groom.as_str(), "--scale", "0.0031", "--every", "40", "--duration", "0.1"];
     let report = simulate(&[&fixed[..], &["--bare"]].concat());

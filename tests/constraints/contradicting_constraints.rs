@@ -85,12 +85,12 @@ fn course_around(
 }
 
 /// No reported force is excessive: a force that moves a strand by its own length in a step is 4e-4 N.
-const MOST_FORCE: f64 = 0.05;
+const MAX_FORCE: f64 = 0.05;
 
 /// Alone, and as wisps that come into contact on the way: there every search for contacts gives the island a new first attempt,
 /// and the second must follow at whatever iteration the first ends.
 #[test]
-fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
+fn strands_pinned_out_of_reach_come_as_close_as_they_can() {
     let target = Vector3::new(0.12, 0.0, -0.09);
     for (model, wisp) in
         [ContactModel::Coulomb, ContactModel::Penalty].into_iter().flat_map(|model| [(model, 0.0), (model, 5e-4)])
@@ -98,7 +98,7 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
         let out = course(model, wisp, |ids| ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at(target.into()))).collect());
         println!("{model:?} {wisp}: {:e} N, {} sweeps", out.force, out.sweeps);
         assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0), "{model:?} {wisp}");
-        assert!(out.force < MOST_FORCE, "{model:?} {wisp}: {:e} N", out.force);
+        assert!(out.force < MAX_FORCE, "{model:?} {wisp}: {:e} N", out.force);
         // Straight there from its root, except for the compliant constraint and its weight: a few millimetres.
         for ((def, tip), state) in hanging().iter().zip(&out.tips).zip(&out.states) {
             let reach = (target - def.root.origin).norm() - LENGTH;
@@ -112,7 +112,7 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
 /// Wisps pinned together behind a ball, in reach: penalties settle the contacts that press them step by step, and meanwhile the
 /// pins hold. (An island of theirs whose contact problem stays unsolved now and then is not idle, and must not end for that.)
 #[test]
-fn wisps_pinned_behind_a_ball_are_held() {
+fn wisps_pinned_behind_a_ball_stay_pinned() {
     let target = Vector3::new(0.039_819, 0.0, -0.063_249);
     let pose = Frame { origin: Vector3::new(0.019_532, 0.0, -0.031_025), ..Frame::default() };
     for wisp in [0.0, 5e-4] {
@@ -147,7 +147,7 @@ fn contradictory_constraints_are_reported() {
     {
         println!("{name}: {} violated, {:e} N", out.violated, out.force);
         assert_eq!((out.violated, out.quarantined), (2 * STEPS * STRANDS as u32, 0), "{name}");
-        assert!(out.force < MOST_FORCE, "{name}: {:e} N", out.force);
+        assert!(out.force < MAX_FORCE, "{name}: {:e} N", out.force);
         assert!(out.tips.iter().all(|tip| tip.iter().all(|x| x.is_finite())), "{name}");
     }
 }
@@ -162,5 +162,5 @@ fn a_ring_out_of_reach_ends_its_island_soon() {
     println!("{} violated, {} sweeps, {:e} N", out.violated, out.sweeps, out.force);
     assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0));
     assert!(out.sweeps < 600_000, "{}", out.sweeps);
-    assert!(out.force < MOST_FORCE);
+    assert!(out.force < MAX_FORCE);
 }

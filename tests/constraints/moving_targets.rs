@@ -29,7 +29,7 @@ fn curl(elements: usize, seed: u32) -> StrandDef {
 
 /// Points anywhere on an element, tangents and frames, led about for a second, at 1/60 and 1/30 s, by both integrators.
 #[test]
-fn what_is_held_goes_where_its_target_goes() {
+fn constrained_points_follow_their_targets() {
     for (hold, elements) in [(Hold::Point, 5), (Hold::Direction, 10), (Hold::Frame, 10)] {
         for (integrator, h) in [
             (Integrator::ImplicitEuler, 1.0 / 60.0),
@@ -79,11 +79,11 @@ fn what_is_held_goes_where_its_target_goes() {
 }
 
 /// Strands of 4 to 15 elements, each held at its tip, led to where it is slack by 3 to 40 % and turned meanwhile, and back. Under pressure a
-/// strand's own matrix is indefinite: without the bonds' springs in it (`step/held.rs`) 64 of the 21600 steps of all sixty strands do not
+/// strand's own matrix is indefinite: without the bilateral constraints' springs in it (`step/constrained_step.rs`) 64 of the 21600 steps of all sixty strands do not
 /// hold, and 357 do not converge. Now all do but those of strand 12, whose four elements cannot take the shape, in however many iterations.
 /// `CLAMPS_ALL=1` takes all sixty.
 #[test]
-fn clamps_press_strands_together() {
+fn clamps_compress_strands() {
     const CANNOT: u32 = 12;
     let every = if std::env::var_os("CLAMPS_ALL").is_some() { 1 } else { 5 };
     let h = 1.0 / 60.0;
@@ -134,7 +134,7 @@ fn clamps_press_strands_together() {
 /// Two strands tied together at points within elements, roots led apart and back; a third closed to a loop whose length is that between its
 /// two points, and stays so.
 #[test]
-fn ties_hold_while_their_strands_are_swung() {
+fn ties_hold_while_their_strands_swing() {
     let h = 1.0 / 60.0;
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let mut defs: Vec<StrandDef> = (0..3).map(|k| curl(8, k)).collect();

@@ -62,7 +62,7 @@ fn a_pinned_point_stays_and_its_force_carries_the_weight() {
 /// with the square of its elements' length: with 40 of them 1e-3 of the length and of the force is ten times what that leaves, and it falls
 /// fourfold from 20 to 40.
 #[test]
-fn a_strand_held_at_both_ends_hangs_as_the_elastica_does() {
+fn a_strand_clamped_at_both_ends_hangs_as_an_elastica() {
     let reference: serde_json::Value = serde_json::from_str(include_str!("../data/reference/elastica.json")).unwrap();
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     for case in reference["cases"].as_array().unwrap() {
@@ -284,7 +284,7 @@ fn bad_constraints_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn a_direction_is_held_its_own_way_round() {
+fn a_direction_constraint_tells_opposite_directions_apart() {
     // Initially backwards: the tangent at the tip must turn by up to 170°.
     for angle in [0.4_f64, 1.57, 2.2, 2.96] {
         let mut solver = solver(Integrator::ImplicitEuler);

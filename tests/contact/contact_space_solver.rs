@@ -1,12 +1,12 @@
 //! The contact-space problem: its solver against the laws, on strands that respond to forces like cantilevers (Euler and Bernoulli's
-//! G(s, t) = s² (3 t − s)/6 for s ≤ t), and bonds against what they must hold.
+//! G(s, t) = s² (3 t − s)/6 for s ≤ t), and bilateral constraints against what they must hold.
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceTouch};
+use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceConstraint};
 use superhelix::internals::contact::gauss_seidel::{GaussSeidel, Report, Settings};
 use superhelix::internals::contact::law::Law;
-use superhelix::internals::contact::law::bond::{Bond, BondAxes};
+use superhelix::internals::contact::law::bilateral::{BilateralLaw, ConstrainedAxes};
 use superhelix::internals::contact::law::coefficient::Coefficient;
 use superhelix::internals::contact::law::contact::{Contact, Friction};
 use superhelix::internals::contact::law::response::Response;
@@ -33,7 +33,7 @@ fn end(strand: u32, point: u32) -> End {
 }
 
 fn solve(space: &ContactSpace, tolerance: f64) -> (Vec<Vector3<f64>>, Report) {
-    let mut forces = vec![Vector3::zeros(); space.touches().len()];
+    let mut forces = vec![Vector3::zeros(); space.constraints().len()];
     let report =
         GaussSeidel::default().solve(space, &Settings { tolerance, max_sweeps: 5000, ..Settings::default() }, &mut forces);
     (forces, report)
@@ -43,10 +43,10 @@ fn solve(space: &ContactSpace, tolerance: f64) -> (Vec<Vector3<f64>>, Report) {
 fn residual(space: &ContactSpace, forces: &[Vector3<f64>], report: &Report) -> f64 {
     let mut displacements = Vec::new();
     space.displacements(forces, &mut displacements);
-    let miss = |(k, touch): (usize, &SpaceTouch)| {
-        touch.law.residual(space.relative(k, &displacements), forces[k], STEP, report.length, report.force)
+    let residual = |(k, constraint): (usize, &SpaceConstraint)| {
+        constraint.law.residual(space.relative(k, &displacements), forces[k], STEP, report.length, report.force)
     };
-    space.touches().iter().enumerate().map(miss).fold(0.0, f64::max)
+    space.constraints().iter().enumerate().map(residual).fold(0.0, f64::max)
 }
 
 fn contact(normal: Vector3<f64>, response: Response, friction: Friction) -> Law {
@@ -57,7 +57,7 @@ const MU: Friction = Friction::Coulomb(Coefficient { mean: 0.3, lean: Vector3::n
 const SPRING: Response = Response::Penalty { stiffness: 10.0, damping: 0.01, depth_at_start: 1e-5 };
 
 #[test]
-fn the_laws_slopes_are_those_of_differences() {
+fn the_derivatives_of_the_laws_agree_with_finite_differences() {
     let mut numbers = Numbers(5);
     let mut tried = 0;
     for case in 0..4000 {
@@ -91,7 +91,7 @@ fn the_laws_slopes_are_those_of_differences() {
                     continue;
                 }
                 tried += 1;
-                let difference = (plus.miss - minus.miss) / (2.0 * h);
+                let difference = (plus.residual - minus.residual) / (2.0 * h);
                 let off = (slope.column(axis) - difference).norm();
                 // Central differences: h² times third derivatives, and a rounding over h.
                 assert!(off < 1e-6, "case {case}: {off:e} {law:?}");
@@ -102,7 +102,7 @@ fn the_laws_slopes_are_those_of_differences() {
 }
 
 #[test]
-fn touches_of_one_strand_are_solved_at_once_however_near_each_other() {
+fn contacts_of_one_strand_are_solved_together_however_close_they_are() {
     // Twins a hundredth of a millimetre apart: what they give differently is 1e-10 of what they give alike.
     let places = [0.05, 0.08, 0.080_01, 0.12, 0.16, 0.160_01, 0.2];
     for (name, response, friction, tolerance) in [
@@ -122,9 +122,10 @@ fn touches_of_one_strand_are_solved_at_once_however_near_each_other() {
             space.reset(STEP).unwrap();
             cantilever(&mut space, &places);
             for (point, place) in places.iter().enumerate() {
-                let free = Vector3::new(1e-4 * numbers.within(-1.0, 1.0), 2e-3 * place, -0.02 * place * numbers.within(0.2, 1.0));
+                let unconstrained =
+                    Vector3::new(1e-4 * numbers.within(-1.0, 1.0), 2e-3 * place, -0.02 * place * numbers.within(0.2, 1.0));
                 let law = contact(Vector3::z(), response, friction);
-                space.add_touch(SpaceTouch { first: end(0, point as u32), second: None, law, free }).unwrap();
+                space.add_constraint(SpaceConstraint { first: end(0, point as u32), second: None, law, unconstrained }).unwrap();
             }
             let (forces, report) = solve(&space, tolerance);
             assert!(report.residual <= tolerance && report.sweeps <= 200, "{name} {case}: {report:?}");
@@ -151,9 +152,14 @@ fn strands_on_each_other_obey_the_laws() {
             for point in 0..3 {
                 let (first, second) =
                     (end(strand as u32, 2 * point), (strand > 0).then(|| end(strand as u32 - 1, 2 * point + 1)));
-                let free = Vector3::new(1e-4 * numbers.next(), 4e-4 * numbers.next(), -1e-3 * numbers.next());
+                let unconstrained = Vector3::new(1e-4 * numbers.next(), 4e-4 * numbers.next(), -1e-3 * numbers.next());
                 space
-                    .add_touch(SpaceTouch { first, second, law: contact(Vector3::z(), Response::Hard, friction), free })
+                    .add_constraint(SpaceConstraint {
+                        first,
+                        second,
+                        law: contact(Vector3::z(), Response::Hard, friction),
+                        unconstrained,
+                    })
                     .unwrap();
             }
         }
@@ -175,28 +181,32 @@ fn viscous_friction_needs_no_normal_force() {
     let matrix = space.add_strand(1);
     (matrix[0], matrix[4], matrix[8]) = (w, w, w);
     let law = contact(Vector3::z(), SPRING, Friction::Viscous(Coefficient::uniform(c)));
-    space.add_touch(SpaceTouch { first: end(0, 0), second: None, law, free: Vector3::new(0.2, -0.1, 0.3) }).unwrap();
+    space
+        .add_constraint(SpaceConstraint { first: end(0, 0), second: None, law, unconstrained: Vector3::new(0.2, -0.1, 0.3) })
+        .unwrap();
     let (forces, _) = solve(&space, 1e-12);
     let expected = Vector3::new(-0.2, 0.1, 0.0) / (STEP / c + w);
     assert!((forces[0] - expected).norm() <= 1e-12 * expected.norm(), "{}", forces[0]);
 }
 
-const PIN: Law = Law::Bond(Bond { axes: BondAxes::All, compliance: 0.0 });
+const PIN: Law = Law::Bilateral(BilateralLaw { axes: ConstrainedAxes::All, compliance: 0.0 });
 
-/// Two strands of three points each, and touches on them.
-fn held(touches: &[(End, Option<End>, Law, Vector3<f64>)]) -> (ContactSpace, Vec<Vector3<f64>>, Report) {
+/// Two strands of three points each, and contacts on them.
+fn solved(constraints: &[(End, Option<End>, Law, Vector3<f64>)]) -> (ContactSpace, Vec<Vector3<f64>>, Report) {
     let mut space = ContactSpace::default();
     space.reset(STEP).unwrap();
     cantilever(&mut space, &[0.05, 0.1, 0.2]);
     cantilever(&mut space, &[0.07, 0.11, 0.18]);
-    for (first, second, law, free) in touches {
-        space.add_touch(SpaceTouch { first: *first, second: *second, law: *law, free: *free }).unwrap();
+    for (first, second, law, unconstrained) in constraints {
+        space
+            .add_constraint(SpaceConstraint { first: *first, second: *second, law: *law, unconstrained: *unconstrained })
+            .unwrap();
     }
     let (forces, report) = solve(&space, 1e-12);
     (space, forces, report)
 }
 
-/// How far each touch is from where it began, m.
+/// How far each contact is from where it began, m.
 fn relative(space: &ContactSpace, forces: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut displacements = Vec::new();
     space.displacements(forces, &mut displacements);
@@ -204,19 +214,19 @@ fn relative(space: &ContactSpace, forces: &[Vector3<f64>]) -> Vec<Vector3<f64>> 
 }
 
 #[test]
-fn bonds_hold_over_several_touches() {
+fn bilateral_constraints_hold_across_several_contacts() {
     let off = Vector3::new(1e-3, -2e-3, 3e-3);
     // A pin, pins of two points, a tie, a closed loop (a strand's tip on its own middle), a tie and pins of both strands.
-    type Held = (End, Option<End>, Law, Vector3<f64>);
-    let cases: [Vec<Held>; 5] = [
+    type Row = (End, Option<End>, Law, Vector3<f64>);
+    let cases: [Vec<Row>; 5] = [
         vec![(end(0, 2), None, PIN, off)],
         vec![(end(0, 1), None, PIN, off), (end(0, 2), None, PIN, -off)],
         vec![(end(0, 1), Some(end(1, 2)), PIN, off)],
         vec![(end(0, 2), Some(end(0, 1)), PIN, off)],
         vec![(end(0, 1), Some(end(1, 2)), PIN, off), (end(0, 2), None, PIN, -off), (end(1, 0), None, PIN, off * 0.1)],
     ];
-    for (case, touches) in cases.iter().enumerate() {
-        let (space, forces, report) = held(touches);
+    for (case, constraints) in cases.iter().enumerate() {
+        let (space, forces, report) = solved(constraints);
         assert!(report.dependent.is_empty(), "case {case}");
         for u in relative(&space, &forces) {
             assert!(u.norm() <= 1e-12, "case {case}: {:e}", u.norm());
@@ -228,27 +238,30 @@ fn bonds_hold_over_several_touches() {
 fn dependent_constraints_are_reported() {
     let off = Vector3::new(1e-3, -2e-3, 3e-3);
     // Twice the same: consistent, and reported without residual.
-    let (space, forces, report) = held(&[(end(0, 2), None, PIN, off), (end(0, 2), None, PIN, off)]);
+    let (space, forces, report) = solved(&[(end(0, 2), None, PIN, off), (end(0, 2), None, PIN, off)]);
     assert_eq!(report.dependent.len(), 3);
     assert!(
-        report.dependent.iter().all(|bond| bond.miss <= 1e-12 && bond.decided_by == [1 - bond.touch]),
+        report
+            .dependent
+            .iter()
+            .all(|dependent| dependent.residual <= 1e-12 && dependent.decided_by == [1 - dependent.constraint]),
         "{:?}",
         report.dependent
     );
     assert!(relative(&space, &forces).iter().all(|u| u.norm() <= 1e-12));
     // A contradiction of a millimetre along z.
-    let (space, forces, report) = held(&[(end(0, 2), None, PIN, off), (end(0, 2), None, PIN, off + Vector3::z() * 1e-3)]);
-    let worst = report.dependent.iter().map(|bond| bond.miss).fold(0.0, f64::max);
+    let (space, forces, report) = solved(&[(end(0, 2), None, PIN, off), (end(0, 2), None, PIN, off + Vector3::z() * 1e-3)]);
+    let worst = report.dependent.iter().map(|dependent| dependent.residual).fold(0.0, f64::max);
     assert!((worst - 1e-3).abs() <= 1e-12, "{worst:e}");
     // One of the two holds.
     assert!(relative(&space, &forces).iter().any(|u| u.norm() <= 1e-12));
 }
 
 #[test]
-fn bonds_hold_beside_contacts() {
+fn bilateral_constraints_hold_beside_contacts() {
     let off = Vector3::new(2e-4, -3e-4, 1e-3);
     let floor = contact(Vector3::z(), Response::Hard, MU);
-    let (space, forces, report) = held(&[
+    let (space, forces, report) = solved(&[
         (end(0, 2), None, PIN, off),
         (end(0, 1), None, floor, Vector3::new(1e-4, 2e-4, -1e-3)),
         (end(0, 0), Some(end(1, 0)), floor, Vector3::new(1e-4, 0.0, -2e-4)),
@@ -264,12 +277,14 @@ fn bonds_hold_beside_contacts() {
 #[test]
 fn pins_of_many_strands_cost_the_sum_of_each() {
     // Counted, not timed: a strand's pin moves its own points only, so that no strand's forces depend on the number of others.
-    let alone = held(&[(end(0, 2), None, PIN, Vector3::x())]).1[0];
+    let alone = solved(&[(end(0, 2), None, PIN, Vector3::x())]).1[0];
     let mut space = ContactSpace::default();
     space.reset(STEP).unwrap();
     for strand in 0..1000 {
         cantilever(&mut space, &[0.05, 0.1, 0.2]);
-        space.add_touch(SpaceTouch { first: end(strand, 2), second: None, law: PIN, free: Vector3::x() }).unwrap();
+        space
+            .add_constraint(SpaceConstraint { first: end(strand, 2), second: None, law: PIN, unconstrained: Vector3::x() })
+            .unwrap();
     }
     let (forces, report) = solve(&space, 1e-9);
     assert!(forces.iter().all(|force| *force == alone) && report.dependent.is_empty());

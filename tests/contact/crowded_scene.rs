@@ -69,15 +69,15 @@ pub fn course(
     if !together {
         solver.add_constraints(&holds).unwrap();
     }
-    let (mut reports, mut touches) = (Vec::new(), 0);
+    let (mut reports, mut contacts) = (Vec::new(), 0);
     for step in 1..=8 {
         let turn = from_rotation_vector(Vector3::new(0.0, 0.05 * f64::from(step), 0.0));
         solver.set_body_frames(&bodies[..1], &[Frame { rotation: turn, ..Frame::default() }], STEP).unwrap();
         let report = solver.step(STEP, 1 + step / 8).unwrap();
-        touches = touches.max(solver.contacts().len());
+        contacts = contacts.max(solver.contacts().len());
         reports.push(StepReport { seconds: 0.0, phases: Phases::default(), ..report });
     }
-    (reports, touches, solver.state_hash())
+    (reports, contacts, solver.state_hash())
 }
 
 /// The state's hash at the end. A change here is a change of numerical results: see the other golden hashes, in `tests/solver/lanes/mod.rs`.

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use superhelix::internals::chain::delassus::Delassus;
 use superhelix::internals::chain::dense;
 use superhelix::internals::chain::elimination::Elimination;
-use superhelix::internals::chain::load::{Load, Station};
+use superhelix::internals::chain::load::{Load, MaterialPoint};
 use superhelix::internals::chain::response::ResponseScratch;
 use superhelix::internals::chain::system::ChainSystem;
 use superhelix::internals::math::quadrature::Rule;
@@ -28,7 +28,7 @@ struct Case {
     lengths: Vec<f64>,
     curvatures: Vec<[f64; 3]>,
     rule: Rule,
-    stations: Vec<Station>,
+    material_points: Vec<MaterialPoint>,
     tension: Vec<Vec3<f64>>,
 }
 
@@ -41,7 +41,10 @@ impl Case {
 
     fn places(&self, curvatures: &[[f64; 3]]) -> Vec<Vec3<f64>> {
         let elements = self.kinematics(curvatures).elements;
-        self.stations.iter().map(|station| Load::at(&elements, station, Vec3::zero()).position(&elements)).collect()
+        self.material_points
+            .iter()
+            .map(|material_point| Load::at(&elements, material_point, Vec3::zero()).position(&elements))
+            .collect()
     }
 
     fn shifted(&self, changes: &[(usize, f64)]) -> Vec<Vec3<f64>> {
@@ -53,21 +56,21 @@ impl Case {
     }
 }
 
-fn case(elements: usize, stations: usize, levers: bool, angle: f64, seed: u64) -> Case {
+fn case(elements: usize, material_points: usize, levers: bool, angle: f64, seed: u64) -> Case {
     let mut pseudo = Pseudo(seed);
     let lengths: Vec<f64> = (0..elements).map(|_| 0.6 + 0.3 * pseudo.next()).collect();
     let curvatures = lengths.iter().map(|length| pseudo.vector().scale(angle / length).0).collect();
-    let mut stations: Vec<Station> = (0..stations)
+    let mut material_points: Vec<MaterialPoint> = (0..material_points)
         .map(|k| {
             let element = ((pseudo.next() * 0.5 + 0.5) * elements as f64) as usize;
             let s = lengths[element] * (pseudo.next() * 0.5 + 0.5);
             let lever = if levers && k % 2 == 0 { pseudo.vector().scale(0.4).0 } else { [0.0; 3] };
-            Station { element, s, lever }
+            MaterialPoint { element, s, lever }
         })
         .collect();
-    stations.sort_by(|a, b| (a.element, a.s).partial_cmp(&(b.element, b.s)).unwrap());
-    let tension = stations.iter().map(|_| pseudo.vector().scale(0.05)).collect();
-    Case { lengths, curvatures, rule: Rule::gauss_legendre(4), stations, tension }
+    material_points.sort_by(|a, b| (a.element, a.s).partial_cmp(&(b.element, b.s)).unwrap());
+    let tension = material_points.iter().map(|_| pseudo.vector().scale(0.05)).collect();
+    Case { lengths, curvatures, rule: Rule::gauss_legendre(4), material_points, tension }
 }
 
 /// Matrices by differences of positions: second differences over 1e-4 err by 1e-8 both from rounding and from the third derivative;
@@ -100,7 +103,7 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
         let freedom = |i: usize| i / axes.len() * 3 + axes[i % axes.len()];
         let step = 1e-4;
         let mut matrix = DMatrix::from_fn(size, size, |i, j| springs.matrix[(i, j)]);
-        let mut jacobian = DMatrix::zeros(3 * case.stations.len(), size);
+        let mut jacobian = DMatrix::zeros(3 * case.material_points.len(), size);
         for i in 0..size {
             let (up, down) = (case.shifted(&[(freedom(i), step)]), case.shifted(&[(freedom(i), -step)]));
             for (k, (a, b)) in up.iter().zip(&down).enumerate() {
@@ -117,7 +120,7 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
             }
         }
         // Every second case has springs at some of its material points, JᵀKJ.
-        let springs_at: Vec<Option<Mat3<f64>>> = (0..case.stations.len())
+        let springs_at: Vec<Option<Mat3<f64>>> = (0..case.material_points.len())
             .map(|k| {
                 let (a, b) = (pseudo.vector(), pseudo.vector().scale(0.5));
                 let outer = |i: usize, j: usize| a.0[i] * a.0[j] + b.0[i] * b.0[j];
@@ -132,11 +135,11 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
         let expected = &jacobian * factor.solve(&jacobian.transpose());
 
         let loads: Vec<_> = case
-            .stations
+            .material_points
             .iter()
             .zip(case.tension.iter().zip(&springs_at))
-            .map(|(station, (f, spring))| {
-                let load = Load::at(&kinematics.elements, station, *f);
+            .map(|(material_point, (f, spring))| {
+                let load = Load::at(&kinematics.elements, material_point, *f);
                 spring.as_ref().map_or(load, |spring| load.with_stiffness(&kinematics.elements, spring))
             })
             .collect();
@@ -146,7 +149,7 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
         operator.update(&elimination, &kinematics, 0, &loads, axes);
         let scale = expected.amax();
         let rows = 3 * loads.len();
-        assert_eq!((operator.stations, operator.columns.len()), (loads.len(), rows * rows));
+        assert_eq!((operator.material_points, operator.columns.len()), (loads.len(), rows * rows));
         for (c, column) in operator.columns.chunks(rows).enumerate() {
             for (r, entry) in column.iter().enumerate() {
                 let error = (entry - expected[(r, c)]).abs() / scale;

@@ -10,10 +10,10 @@ use crate::crowded_scene::{GOLDEN, course};
 fn any_number_of_threads_and_every_machine_give_the_same_bits() {
     let mut found = Vec::new();
     for (model, together, golden) in GOLDEN {
-        let (reports, touches, hash) = course(model, Workers::Serial, None, together);
-        println!("(ContactModel::{model:?}, {together}, 0x{hash:016x}), {touches} contacts");
+        let (reports, contacts, hash) = course(model, Workers::Serial, None, together);
+        println!("(ContactModel::{model:?}, {together}, 0x{hash:016x}), {contacts} contacts");
         // The scene has what it is for.
-        assert!(touches > 200, "{touches}");
+        assert!(contacts > 200, "{contacts}");
         assert!(reports.iter().all(|report| report.quarantined == 0), "{reports:?}");
         for threads in [2, 3, 8] {
             let (others, _, other) = course(model, Workers::Pool(threads), None, together);

@@ -88,7 +88,7 @@ fn a_grid_is_smooth_over_its_cells() {
 }
 
 #[test]
-fn a_grid_comes_back_from_bytes_and_nothing_else_does() {
+fn a_grid_is_restored_from_its_bytes_and_from_no_others() {
     let (vertices, triangles) = ball(0.1, 1);
     let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
     let grid = DistanceGrid::bake(&mesh, 0.03, 0.01).unwrap();
@@ -120,7 +120,7 @@ fn a_grid_comes_back_from_bytes_and_nothing_else_does() {
 }
 
 #[test]
-fn a_grid_that_cannot_be_is_refused() {
+fn an_impossible_grid_is_refused() {
     let (vertices, triangles) = ball(0.1, 1);
     let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
     let says = |result: superhelix::Result<DistanceGrid>, argument: &str| {

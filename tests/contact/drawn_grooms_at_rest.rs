@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::editing::{Allowance, Stiffening};
+use superhelix::editing::{PermittedOverlap, Stiffening};
 use superhelix::hair::{FitOptions, fit_polyline};
 use superhelix::io::{Curves, obj_mesh};
 use superhelix::shapes::{DistanceGrid, Sides};
@@ -169,7 +169,7 @@ fn sunk(solver: &mut Solver) -> Vec<StrandId> {
 }
 
 #[test]
-fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed() {
+fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_overlap_is_permitted() {
     for model in MODELS {
         let run = |allowed: bool| {
             let mut solver = solver(model, -9.81 * UP);
@@ -202,13 +202,13 @@ fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed()
         solver.step(1.0 / 60.0, 3).unwrap();
         assert_eq!(solver.state_hash(), after);
         // Permitted overlaps can be removed, and then contact acts.
-        solver.set_allowances(&ids, &vec![None; ids.len()]).unwrap();
+        solver.set_permitted_overlaps(&ids, &vec![None; ids.len()]).unwrap();
         assert!(moves(&mut solver, &ids, 0.5).0 > 1e-3, "{model:?}");
     }
 }
 
 #[test]
-fn what_is_allowed_ends_where_nothing_was_drawn_into_anything() {
+fn permitted_overlaps_end_where_nothing_overlapped_in_the_drawing() {
     // A level rod, drawn 1 mm into a floor at its middle only: the floor is a ball's top there. Let go under gravity it sinks no deeper, though
     // it would without the ball.
     let mut solver = solver(ContactModel::Coulomb, -9.81 * UP);
@@ -236,17 +236,17 @@ fn what_is_allowed_ends_where_nothing_was_drawn_into_anything() {
 }
 
 #[test]
-fn bad_allowances_are_named_and_change_nothing() {
+fn bad_permitted_overlaps_are_named_and_change_nothing() {
     let mut solver = solver(ContactModel::Coulomb, -9.81 * UP);
     let ids = sunk(&mut solver);
     solver.allow_overlaps(&ids).unwrap();
     let hash = solver.state_hash();
-    let good = solver.allowance(ids[0]).unwrap().cloned();
+    let good = solver.permitted_overlap(ids[0]).unwrap().cloned();
     assert!(good.is_some());
-    let bad = Allowance { sunk: vec![f64::NAN; 7], ..good.clone().unwrap() };
+    let bad = PermittedOverlap { sunk: vec![f64::NAN; 7], ..good.clone().unwrap() };
     for (result, named) in [
-        (solver.set_allowances(&ids[..2], &[good.clone(), Some(bad)]), "allowances[1].sunk[0]"),
-        (solver.set_allowances(&ids[..2], std::slice::from_ref(&good)), "allowances (count)"),
+        (solver.set_permitted_overlaps(&ids[..2], &[good.clone(), Some(bad)]), "permitted_overlaps[1].sunk[0]"),
+        (solver.set_permitted_overlaps(&ids[..2], std::slice::from_ref(&good)), "permitted_overlaps (count)"),
         (solver.allow_overlaps(&[ids[0], ids[0]]).map(|_| ()), "ids[1]"),
         (solver.allow_overlaps(&[ids[0], StrandId::from_bits(7)]).map(|_| ()), "ids[1]"),
         (solver.overlaps(&[StrandId::from_bits(7)]).map(|_| ()), "ids[0]"),
@@ -256,9 +256,9 @@ fn bad_allowances_are_named_and_change_nothing() {
         assert!(error.to_string().contains(named), "{error}");
         assert_eq!(solver.state_hash(), hash, "{named}");
     }
-    solver.set_allowances(&ids[..1], &[None]).unwrap();
+    solver.set_permitted_overlaps(&ids[..1], &[None]).unwrap();
     assert_ne!(solver.state_hash(), hash);
-    solver.set_allowances(&ids[..1], &[good]).unwrap();
+    solver.set_permitted_overlaps(&ids[..1], &[good]).unwrap();
     assert_eq!(solver.state_hash(), hash);
 }
 

@@ -2,7 +2,7 @@
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use superhelix::internals::contact::law::bond::{Bond, BondAxes};
+use superhelix::internals::contact::law::bilateral::{BilateralLaw, ConstrainedAxes};
 use superhelix::internals::contact::law::coefficient::Coefficient;
 use superhelix::internals::contact::law::contact::{Contact, Friction};
 use superhelix::internals::contact::law::response::Response;
@@ -58,11 +58,11 @@ impl Draws for Numbers {
 }
 
 /// Residual of a law's own solve, in the scale of what was added up for it.
-fn own_residual(law: &Law, w: &Matrix3<f64>, free: &Vector3<f64>) -> (f64, Vector3<f64>) {
+fn own_residual(law: &Law, w: &Matrix3<f64>, unconstrained: &Vector3<f64>) -> (f64, Vector3<f64>) {
     law.check("law").unwrap();
-    let lambda = LawSolve::new(law, w, STEP).solve(*free);
-    let u = w * lambda + free;
-    let length = free.norm().max(w.norm() * lambda.norm());
+    let lambda = LawSolve::new(law, w, STEP).solve(*unconstrained);
+    let u = w * lambda + unconstrained;
+    let length = unconstrained.norm().max(w.norm() * lambda.norm());
     let force = lambda.norm().max(f64::MIN_POSITIVE);
     (law.residual(u, lambda, STEP, length, force), lambda)
 }
@@ -75,21 +75,21 @@ fn a_contact_alone_obeys_its_law_to_rounding() {
     for case in 0..40_000 {
         let w = numbers.response(8.0);
         let contact = Contact { normal: numbers.direction(), response: numbers.normal_response(), friction: numbers.friction() };
-        let free = numbers.direction() * numbers.within(0.0, 2.0);
+        let unconstrained = numbers.direction() * numbers.within(0.0, 2.0);
         let law = Law::Contact(contact);
-        let (residual, lambda) = own_residual(&law, &w, &free);
+        let (residual, lambda) = own_residual(&law, &w, &unconstrained);
         assert!(lambda.iter().all(|x| x.is_finite()), "case {case}");
         // Length is a sum of terms that may cancel and force a solution with condition 1e8: the error is a few roundings of either.
-        assert!(residual < 1e-11, "case {case}: {residual:e} {contact:?} {w:?} {free:?}");
+        assert!(residual < 1e-11, "case {case}: {residual:e} {contact:?} {w:?} {unconstrained:?}");
         worst = worst.max(residual);
         let normal = lambda.dot(&contact.normal);
         if let Friction::Coulomb(mu) = contact.friction {
             let t = lambda - contact.normal * normal;
-            let u = w * lambda + free;
+            let u = w * lambda + unconstrained;
             let u_t = u - contact.normal * u.dot(&contact.normal);
             if normal <= 0.0 {
                 off += 1;
-            } else if u_t.norm() < 1e-12 * free.norm().max(w.norm() * lambda.norm()) {
+            } else if u_t.norm() < 1e-12 * unconstrained.norm().max(w.norm() * lambda.norm()) {
                 stuck += 1;
                 assert!(t.norm() <= mu.at(&(-t.normalize())) * normal * (1.0 + 1e-9));
             } else {
@@ -105,14 +105,14 @@ fn a_contact_alone_obeys_its_law_to_rounding() {
 
 /// All sliding solutions of a hard Coulomb contact, by a search over the directions of sliding d: λ = λ_N (n − μ(d) d) with u_N = 0, and
 /// u_T must point along d.
-fn sliding_solutions(n: &Vector3<f64>, mu: &Coefficient, w: &Matrix3<f64>, free: &Vector3<f64>) -> Vec<Vector3<f64>> {
+fn sliding_solutions(n: &Vector3<f64>, mu: &Coefficient, w: &Matrix3<f64>, unconstrained: &Vector3<f64>) -> Vec<Vector3<f64>> {
     let s = n.cross(&Vector3::new(0.3, 0.5, 0.8)).normalize();
     let t = n.cross(&s);
     let at = |angle: f64| {
         let d = s * angle.cos() + t * angle.sin();
         let way = n - d * mu.at(&d);
-        let lambda = way * (-free.dot(n) / n.dot(&(w * way)));
-        let u = w * lambda + free;
+        let lambda = way * (-unconstrained.dot(n) / n.dot(&(w * way)));
+        let u = w * lambda + unconstrained;
         // Across d, and along it.
         (u.dot(&n.cross(&d)), u.dot(&d), lambda)
     };
@@ -129,7 +129,7 @@ fn sliding_solutions(n: &Vector3<f64>, mu: &Coefficient, w: &Matrix3<f64>, free:
             if at(low).0.signum() == at(middle).0.signum() { low = middle } else { high = middle }
         }
         let (across, along, lambda) = at(0.5 * (low + high));
-        if lambda.dot(n) > 0.0 && along >= 0.0 && across.abs() < 1e-6 * free.norm() {
+        if lambda.dot(n) > 0.0 && along >= 0.0 && across.abs() < 1e-6 * unconstrained.norm() {
             found.push(lambda);
         }
     }
@@ -143,17 +143,17 @@ fn coulomb_slides_where_a_search_of_all_directions_finds_it() {
     for case in 0..1500 {
         let w = numbers.response(3.0);
         let (normal, mu) = (numbers.direction(), numbers.coefficient(3.0));
-        let free = numbers.direction();
-        if free.dot(&normal) >= 0.0 {
+        let unconstrained = numbers.direction();
+        if unconstrained.dot(&normal) >= 0.0 {
             continue;
         }
         let law = Law::Contact(Contact { normal, response: Response::Hard, friction: Friction::Coulomb(mu) });
-        let (_, lambda) = own_residual(&law, &w, &free);
-        let u = w * lambda + free;
-        let found = sliding_solutions(&normal, &mu, &w, &free);
+        let (_, lambda) = own_residual(&law, &w, &unconstrained);
+        let u = w * lambda + unconstrained;
+        let found = sliding_solutions(&normal, &mu, &w, &unconstrained);
         if (u - normal * u.dot(&normal)).norm() < 1e-9 {
             // It sticks: the force that holds it is the one that makes u zero.
-            let held = -w.try_inverse().unwrap() * free;
+            let held = -w.try_inverse().unwrap() * unconstrained;
             assert!((lambda - held).norm() <= 1e-9 * held.norm(), "case {case}");
             continue;
         }
@@ -196,9 +196,9 @@ fn a_contact_that_the_strand_cannot_move_along_one_axis_still_solves() {
 fn penalties_give_the_papers_forces() {
     // The partner presses the point by 0.3 against W = 2 along n: closed forms of depth d = 0.3 − 2 F.
     let (n, w) = (Vector3::y(), Matrix3::identity() * 2.0);
-    let force = |response: Response, free: f64| {
+    let force = |response: Response, unconstrained: f64| {
         let law = Law::Contact(Contact { normal: n, response, friction: Friction::None });
-        own_residual(&law, &w, &(n * free)).1.y
+        own_residual(&law, &w, &(n * unconstrained)).1.y
     };
     let k = 5.0;
     let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-14 * b.abs(), "{a} {b}");
@@ -248,16 +248,16 @@ fn constraints_hold_their_points() {
     for case in 0..3000 {
         let w = numbers.response(6.0);
         let d = numbers.direction();
-        let axes = [BondAxes::All, BondAxes::Across(d), BondAxes::Along(d)][case % 3];
+        let axes = [ConstrainedAxes::All, ConstrainedAxes::Across(d), ConstrainedAxes::Along(d)][case % 3];
         let compliance = if case % 2 == 0 { 0.0 } else { numbers.within(0.0, 10.0) };
-        let free = numbers.direction();
-        let (residual, lambda) = own_residual(&Law::Bond(Bond { axes, compliance }), &w, &free);
+        let unconstrained = numbers.direction();
+        let (residual, lambda) = own_residual(&Law::Bilateral(BilateralLaw { axes, compliance }), &w, &unconstrained);
         assert!(residual < 1e-12, "case {case}: {residual:e}");
         let along = lambda.dot(&d).abs();
         match axes {
-            BondAxes::All => {}
-            BondAxes::Across(_) => assert!(along <= 1e-12 * lambda.norm()),
-            BondAxes::Along(_) => assert!((along - lambda.norm()).abs() <= 1e-12 * along),
+            ConstrainedAxes::All => {}
+            ConstrainedAxes::Across(_) => assert!(along <= 1e-12 * lambda.norm()),
+            ConstrainedAxes::Along(_) => assert!((along - lambda.norm()).abs() <= 1e-12 * along),
         }
     }
 }
@@ -271,10 +271,10 @@ fn a_ring_holds_across_and_rubs_along() {
         let tangent = numbers.direction();
         let mean = numbers.within(0.0, 2.0);
         let friction = Coefficient { mean, lean: tangent * (mean * numbers.within(-1.0, 1.0)) };
-        let free = numbers.direction();
-        let (residual, lambda) = own_residual(&Law::Ring(Ring { tangent, friction }), &w, &free);
+        let unconstrained = numbers.direction();
+        let (residual, lambda) = own_residual(&Law::Ring(Ring { tangent, friction }), &w, &unconstrained);
         assert!(residual < 1e-11, "case {case}: {residual:e}");
-        let u_t = (w * lambda + free).dot(&tangent);
+        let u_t = (w * lambda + unconstrained).dot(&tangent);
         let lambda_t = lambda.dot(&tangent);
         let across = (lambda - tangent * lambda_t).norm();
         if u_t.abs() < 1e-9 {
@@ -292,15 +292,15 @@ fn a_ring_holds_across_and_rubs_along() {
 #[test]
 fn numbers_out_of_range_are_named() {
     let contact = Contact { normal: Vector3::z(), response: Response::Hard, friction: Friction::None };
-    let says = |law: Law| law.check("touches[2].law").unwrap_err().to_string();
+    let says = |law: Law| law.check("constraints[2].law").unwrap_err().to_string();
     let bad = says(Law::Contact(Contact { normal: Vector3::new(0.0, 0.0, 1.1), ..contact }));
-    assert!(bad.contains("touches[2].law.normal") && bad.contains("1.1"), "{bad}");
+    assert!(bad.contains("constraints[2].law.normal") && bad.contains("1.1"), "{bad}");
     let bad = says(Law::Contact(Contact { response: Response::Regularised { stiffness: 1.0, depth: 0.0 }, ..contact }));
-    assert!(bad.contains("touches[2].law.response.depth is 0"), "{bad}");
+    assert!(bad.contains("constraints[2].law.response.depth is 0"), "{bad}");
     let mu = Coefficient { mean: 0.1, lean: Vector3::x() * 0.2 };
     let bad = says(Law::Contact(Contact { friction: Friction::Coulomb(mu), ..contact }));
     assert!(bad.contains("friction.lean is 0.2"), "{bad}");
-    let bad = says(Law::Bond(Bond { axes: BondAxes::All, compliance: f64::NAN }));
+    let bad = says(Law::Bilateral(BilateralLaw { axes: ConstrainedAxes::All, compliance: f64::NAN }));
     assert!(bad.contains("compliance is NaN"), "{bad}");
     let bad = says(Law::Ring(Ring { tangent: Vector3::zeros(), friction: Coefficient::uniform(0.1) }));
     assert!(bad.contains("tangent"), "{bad}");

@@ -124,7 +124,7 @@ fn a_pile_at_rest_balances_as_a_whole_and_strand_by_strand() {
 /// Two strands across each other, of which one is the other turned by half a turn about a line between them, press on each other: they stay
 /// so, which they do not where one of them gets another force than the other gets with the opposite sign.
 #[test]
-fn strands_that_are_each_others_image_go_on_being_so() {
+fn mirror_images_stay_mirror_images() {
     for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         let mut solver = solver(model, Vector3::zeros());
         let half_turn = UnitQuaternion::from_axis_angle(&nalgebra::Unit::new_normalize(Vector3::new(1.0, 1.0, 0.0)), PI);
@@ -274,7 +274,7 @@ fn wisps_thrown_at_each_other_settle_and_gain_no_energy() {
             assert!(in_front(&one, &other) <= 0, "{model:?}: one is through the other");
         }
         println!(
-            "{model:?}: {speeds:?} m/s, {first:e} J, grown by {grown:e}, nearest {nearest:e}, {hits} touches, {unconverged}, {last:e} J left"
+            "{model:?}: {speeds:?} m/s, {first:e} J, grown by {grown:e}, nearest {nearest:e}, {hits} contacts, {unconverged}, {last:e} J left"
         );
         assert!(speeds[0] > 1.0 && speeds[1] < -1.0 && (speeds[0] - speeds[1]) * h > 4.0 * radius && hits > 1);
         assert!(grown < 1e-6 * first, "{grown:e} of {first:e}");
@@ -343,7 +343,7 @@ fn a_braid_stays_one() {
         [(0, 1), (1, 2), (2, 0)].map(|(a, b)| linking(&lines[a], &lines[b]))
     };
     let before = wound(&solver);
-    let (mut unconverged, mut deepest, mut untied, mut touches) = (0, 0.0_f64, 0.0_f64, 0);
+    let (mut unconverged, mut deepest, mut untied, mut contacts) = (0, 0.0_f64, 0.0_f64, 0);
     for step in 1..=90 {
         let turn = 2.0 * PI * f64::from(step) / 90.0;
         let by = Vector3::new(0.006 * turn.sin(), 0.012 * (2.0 * turn).sin(), 0.01 * (1.0 - turn.cos()));
@@ -352,11 +352,11 @@ fn a_braid_stays_one() {
         unconverged += report.contact.unconverged;
         deepest = deepest.max(report.contact.penetration);
         untied = band.iter().map(|pin| solver.constraint_state(*pin).unwrap().error).fold(untied, f64::max);
-        touches = touches.max(solver.contacts().len());
+        contacts = contacts.max(solver.contacts().len());
     }
     let after = wound(&solver);
-    println!("{before:?} {after:?}, {touches} touches, {unconverged} unconverged, {deepest:e} m deep, untied by {untied:e} m");
-    assert!(touches >= 6, "{touches}");
+    println!("{before:?} {after:?}, {contacts} contacts, {unconverged} unconverged, {deepest:e} m deep, untied by {untied:e} m");
+    assert!(contacts >= 6, "{contacts}");
     assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 0.1), "{before:?} {after:?}");
     assert!(untied < 1e-8 && deepest < 2e-5 && unconverged == 0, "{untied:e} {deepest:e} {unconverged}");
 }
@@ -415,7 +415,7 @@ fn a_swelling_skin_lifts_the_strands_that_lie_on_it() {
 /// Where nothing can touch, contact costs no bit: bodies far away, bodies and wisps that no strand is to touch, strands that are to touch
 /// bodies and have none.
 #[test]
-fn what_touches_nothing_moves_as_without_contact() {
+fn strands_without_contacts_move_as_if_contact_were_off() {
     let run = |arrange: &dyn Fn(&mut Solver, &[StrandId])| {
         let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, ..SolverOptions::default() }).unwrap();
         let defs: Vec<StrandDef> = (0..9)
@@ -434,7 +434,7 @@ fn what_touches_nothing_moves_as_without_contact() {
             solver.set_root_frames(&ids, &frames, 1.0 / 60.0).unwrap();
             let report = solver.step(1.0 / 60.0, 2).unwrap();
             bits.extend([report.energies.kinetic, report.energies.elastic, report.mean_iterations, report.max_residual]);
-            bits.push(f64::from(report.contact.touches + report.contact.iterations));
+            bits.push(f64::from(report.contact.contacts + report.contact.iterations));
         }
         for id in &ids {
             let (wrench, energies) = (solver.root_wrench(*id).unwrap(), solver.energies(*id).unwrap());

@@ -5,10 +5,10 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use nalgebra::{Rotation3, Vector3};
+use superhelix::internals::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
 use superhelix::internals::contact::pieces::Wisp;
-use superhelix::internals::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use superhelix::internals::contact::touches::TouchScratch;
+use superhelix::internals::contact::strand_contacts::PairScratch;
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::Mat3;
 use superhelix::internals::rod::kinematics::Kinematics;
@@ -94,27 +94,27 @@ impl Strand {
         StrandCurve { origin: self.origin, elements: &pose.elements }
     }
 
-    fn along(&self, place: &Place) -> f64 {
+    fn along(&self, place: &StrandPoint) -> f64 {
         self.lengths[..place.element as usize].iter().sum::<f64>() + place.s
     }
 }
 
 /// All contacts of strands moving from `then` to `now`.
-fn touches_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<Touch>) {
+fn contacts_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<ContactPoint>) {
     pairs.begin_step();
-    touches_at_iterate(pairs, then, now)
+    contacts_at_iterate(pairs, then, now)
 }
 
 /// The same at an iterate of a step that has begun.
-fn touches_at_iterate(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<Touch>) {
+fn contacts_at_iterate(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<ContactPoint>) {
     let poses: Vec<[Kinematics<f64>; 2]> = then.iter().zip(now).map(|(a, b)| [a.pose(), b.pose()]).collect();
     let paths: Vec<StrandPath> = (0..now.len())
         .map(|k| StrandPath { index: k as u32, start: then[k].curve(&poses[k][0]), now: now[k].curve(&poses[k][1]) })
         .collect();
     let searched = pairs.update(&paths).unwrap();
-    let (mut out, mut scratch) = (Vec::new(), TouchScratch::default());
+    let (mut out, mut scratch) = (Vec::new(), PairScratch::default());
     for group in pairs.groups() {
-        pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut out);
+        pairs.contacts(group, &paths, f64::INFINITY, &mut scratch, &mut out);
     }
     (searched, out)
 }
@@ -123,18 +123,18 @@ fn options(activation: f64, margin: f64) -> PairOptions {
     PairOptions { activation, margin }
 }
 
-fn touches_at(strands: &[Strand], wisps: &[Wisp], options: &PairOptions) -> Vec<Touch> {
+fn contacts_at(strands: &[Strand], wisps: &[Wisp], options: &PairOptions) -> Vec<ContactPoint> {
     let mut pairs = HairPairs::default();
     pairs.set(wisps, options).unwrap();
-    touches_between(&mut pairs, strands, strands).1
+    contacts_between(&mut pairs, strands, strands).1
 }
 
 fn wisps(count: usize, radius: f64) -> Vec<Wisp> {
     vec![Wisp { radius, ..Wisp::default() }; count]
 }
 
-fn partner(touch: &Touch) -> Place {
-    match touch.partner {
+fn partner(contact: &ContactPoint) -> StrandPoint {
+    match contact.partner {
         Partner::Strand(place) => place,
         Partner::Body { .. } => panic!("no bodies here"),
     }
@@ -190,7 +190,7 @@ fn descended(strands: &[Strand], s: f64, u: f64, spacing: f64) -> (f64, f64, f64
 }
 
 #[test]
-fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
+fn every_local_minimum_between_sampled_strands_is_an_exact_contact() {
     let mut random = Random(1);
     let spacing = 1e-4;
     let (radius, activation) = (0.4e-3, 1e-3);
@@ -204,7 +204,7 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
             points[(random.next() * points.len() as f64) as usize].1
         });
         strands[1].origin += some[0] - some[1] + random.vector() * 1.7e-3;
-        let touches = touches_at(&strands, &wisps(2, radius), &options(activation, 0.0));
+        let contacts = contacts_at(&strands, &wisps(2, radius), &options(activation, 0.0));
         let samples = [sampled(&strands[0], spacing), sampled(&strands[1], spacing)];
         let columns = samples[1].len();
         let distances: Vec<f64> =
@@ -223,31 +223,31 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
                 if is_least && distance - 2.0 * radius < activation - 1e-6 {
                     minima += 1;
                     let (s, u, distance) = descended(&strands, samples[0][i].0, samples[1][j].0, spacing);
-                    let near = touches.iter().any(|touch| {
-                        let (off_a, off_b) = (strands[0].along(&touch.place) - s, strands[1].along(&partner(touch)) - u);
-                        off_a.abs().max(off_b.abs()) < 0.5 * radius + 1e-5 && touch.gap + 2.0 * radius <= distance + 1e-12
+                    let near = contacts.iter().any(|contact| {
+                        let (off_a, off_b) = (strands[0].along(&contact.point) - s, strands[1].along(&partner(contact)) - u);
+                        off_a.abs().max(off_b.abs()) < 0.5 * radius + 1e-5 && contact.gap + 2.0 * radius <= distance + 1e-12
                     });
-                    assert!(near, "round {round}: nothing at {s}, {u}, {distance} apart; found {touches:?}");
+                    assert!(near, "round {round}: nothing at {s}, {u}, {distance} apart; found {contacts:?}");
                 }
             }
         }
-        let found = touches.iter().map(|touch| touch.gap + 2.0 * radius).fold(f64::INFINITY, f64::min);
+        let found = contacts.iter().map(|contact| contact.gap + 2.0 * radius).fold(f64::INFINITY, f64::min);
         if least < activation + 2.0 * radius {
             touching += 1;
             // Samples half a spacing off either way are at most their spacing too far apart.
             assert!(found <= least + 1e-12 && found > least - spacing, "round {round}: {found} for {least}");
         } else if least > activation + 2.0 * radius + spacing {
-            assert!(touches.is_empty(), "round {round}");
+            assert!(contacts.is_empty(), "round {round}");
         }
         let poses = [strands[0].pose(), strands[1].pose()];
-        for touch in &touches {
-            let other = partner(touch);
+        for contact in &contacts {
+            let other = partner(contact);
             let curves = [strands[0].curve(&poses[0]), strands[1].curve(&poses[1])];
-            let apart = curves[0].position(touch.place.element as usize, touch.place.s)
+            let apart = curves[0].position(contact.point.element as usize, contact.point.s)
                 - curves[1].position(other.element as usize, other.s);
-            assert!((touch.normal.norm() - 1.0).abs() < 1e-12);
-            assert!((touch.normal.dot(&apart) - 2.0 * radius - touch.gap).abs() < 1e-12);
-            assert!((apart.norm() - 2.0 * radius - touch.gap).abs() < 1e-12 && touch.gap <= activation);
+            assert!((contact.normal.norm() - 1.0).abs() < 1e-12);
+            assert!((contact.normal.dot(&apart) - 2.0 * radius - contact.gap).abs() < 1e-12);
+            assert!((apart.norm() - 2.0 * radius - contact.gap).abs() < 1e-12 && contact.gap <= activation);
         }
     }
     // (Three thousand rounds, run once: 3248 places, none missed.)
@@ -256,57 +256,57 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
 }
 
 #[test]
-fn touches_do_not_depend_on_which_strand_is_first() {
+fn contacts_do_not_depend_on_which_strand_is_first() {
     let mut random = Random(2);
     let strands: Vec<Strand> = (0..30).map(|_| Strand::random(&mut random, 4, 1.5, 0.008)).collect();
     let radii: Vec<Wisp> = (0..30).map(|k| Wisp { radius: 1e-3 + 1e-5 * f64::from(k), ..Wisp::default() }).collect();
-    let there = touches_at(&strands, &radii, &options(0.5e-3, 0.0));
+    let there = contacts_at(&strands, &radii, &options(0.5e-3, 0.0));
     let reversed: Vec<Strand> = strands.iter().rev().cloned().collect();
     let back: Vec<Wisp> = radii.iter().rev().copied().collect();
-    let back = touches_at(&reversed, &back, &options(0.5e-3, 0.0));
+    let back = contacts_at(&reversed, &back, &options(0.5e-3, 0.0));
     assert!(there.len() > 50 && there.len() == back.len(), "{} and {}", there.len(), back.len());
     // In order.
-    let key = |touch: &Touch| {
-        let other = partner(touch);
-        (touch.place.strand, other.strand, touch.place.element, touch.place.s)
+    let key = |contact: &ContactPoint| {
+        let other = partner(contact);
+        (contact.point.strand, other.strand, contact.point.element, contact.point.s)
     };
     assert!(there.windows(2).all(|two| key(&two[0]) <= key(&two[1])));
-    for touch in &there {
-        assert!(touch.place.strand < partner(touch).strand);
-        let near = |a: &Place, b: &Place, strands: &[Strand], others: &[Strand]| {
+    for contact in &there {
+        assert!(contact.point.strand < partner(contact).strand);
+        let near = |a: &StrandPoint, b: &StrandPoint, strands: &[Strand], others: &[Strand]| {
             a.strand == 29 - b.strand && (strands[a.strand as usize].along(a) - others[b.strand as usize].along(b)).abs() < 1e-9
         };
         let same = back.iter().filter(|other| {
-            near(&touch.place, &partner(other), &strands, &reversed)
-                && near(&partner(touch), &other.place, &strands, &reversed)
-                && (touch.normal + other.normal).norm() < 1e-7
-                && (touch.gap - other.gap).abs() < 1e-12
+            near(&contact.point, &partner(other), &strands, &reversed)
+                && near(&partner(contact), &other.point, &strands, &reversed)
+                && (contact.normal + other.normal).norm() < 1e-7
+                && (contact.gap - other.gap).abs() < 1e-12
         });
-        assert_eq!(same.count(), 1, "{touch:?}");
+        assert_eq!(same.count(), 1, "{contact:?}");
     }
 }
 
 #[test]
-fn strands_along_each_other_touch_at_the_ends_of_their_common_length() {
+fn parallel_strands_have_contacts_at_the_ends_of_their_common_length() {
     // Elements end at 0, 25, 50, 75 and 100 mm, and the partner's at 30, 70 and 110 mm: they share 30 to 100 mm.
     for tilt in [0.0, 1e-9, 1e-3] {
         let a = Strand::straight(Vector3::zeros(), Vector3::new(0.1, 0.0, 0.0), 4);
         let b = Strand::straight(Vector3::new(0.03, 0.0, 1.9e-3), Vector3::new(0.08, 0.08 * tilt, 0.0), 2);
         let strands = [a, b];
-        let touches = touches_at(&strands, &wisps(2, 1e-3), &options(1e-3, 1e-3));
-        let places: Vec<f64> = touches.iter().map(|touch| (1e6 * strands[0].along(&touch.place)).round() / 1e6).collect();
+        let contacts = contacts_at(&strands, &wisps(2, 1e-3), &options(1e-3, 1e-3));
+        let places: Vec<f64> = contacts.iter().map(|contact| (1e6 * strands[0].along(&contact.point)).round() / 1e6).collect();
         for end in [0.03, 0.05, 0.07, 0.075, 0.1] {
             assert!(places.contains(&end), "tilt {tilt}: {places:?}");
         }
         assert!(places.len() <= 7, "{places:?}");
-        for touch in &touches {
-            assert!((touch.gap + 0.1e-3).abs() < 2e-6 && (touch.normal + Vector3::z()).norm() < 0.05, "{touch:?}");
+        for contact in &contacts {
+            assert!((contact.gap + 0.1e-3).abs() < 2e-6 && (contact.normal + Vector3::z()).norm() < 0.05, "{contact:?}");
         }
     }
 }
 
 #[test]
-fn what_was_found_stays_complete_while_strands_move() {
+fn the_contacts_found_stay_complete_while_strands_move() {
     let mut random = Random(3);
     let mut strands: Vec<Strand> = (0..60).map(|_| Strand::random(&mut random, 4, 1.5, 0.05)).collect();
     let kept_options = options(0.5e-3, 1e-3);
@@ -325,32 +325,32 @@ fn what_was_found_stays_complete_while_strands_move() {
                 *row = row.map(|k| k + 0.1 * random.centred());
             }
         }
-        let (searched, touches) = touches_between(&mut kept, &before, &strands);
+        let (searched, contacts) = contacts_between(&mut kept, &before, &strands);
         searches += usize::from(searched);
         let mut fresh = HairPairs::default();
         fresh.set(&wisps(60, 1e-3), &options(0.5e-3, 0.0)).unwrap();
-        let (_, expected) = touches_between(&mut fresh, &before, &strands);
-        assert_same(&strands, &touches, &expected, step);
-        total += touches.len();
+        let (_, expected) = contacts_between(&mut fresh, &before, &strands);
+        assert_same(&strands, &contacts, &expected, step);
+        total += contacts.len();
     }
-    println!("{total} touches in {steps} steps, {searches} searches");
+    println!("{total} contacts in {steps} steps, {searches} searches");
     assert!(total > 15 * steps && (4..steps / 2).contains(&searches));
 }
 
-fn assert_same(strands: &[Strand], touches: &[Touch], expected: &[Touch], step: usize) {
-    assert_eq!(touches.len(), expected.len(), "step {step}");
-    for (touch, other) in touches.iter().zip(expected) {
-        let (p, q) = (partner(touch), partner(other));
-        assert_eq!((touch.place.strand, p.strand), (other.place.strand, q.strand));
-        let of = |place: &Place| strands[place.strand as usize].along(place);
-        let off = (of(&touch.place) - of(&other.place)).abs().max((of(&p) - of(&q)).abs());
-        assert!(off < 1e-8 && (touch.gap - other.gap).abs() < 1e-12 && (touch.normal - other.normal).norm() < 1e-6);
+fn assert_same(strands: &[Strand], contacts: &[ContactPoint], expected: &[ContactPoint], step: usize) {
+    assert_eq!(contacts.len(), expected.len(), "step {step}");
+    for (contact, other) in contacts.iter().zip(expected) {
+        let (p, q) = (partner(contact), partner(other));
+        assert_eq!((contact.point.strand, p.strand), (other.point.strand, q.strand));
+        let of = |place: &StrandPoint| strands[place.strand as usize].along(place);
+        let off = (of(&contact.point) - of(&other.point)).abs().max((of(&p) - of(&q)).abs());
+        assert!(off < 1e-8 && (contact.gap - other.gap).abs() < 1e-12 && (contact.normal - other.normal).norm() < 1e-6);
     }
 }
 
 /// Within a step only the strands that have left their room are searched for again.
 #[test]
-fn what_was_found_stays_complete_where_few_strands_go_far_within_a_step() {
+fn the_contacts_found_stay_complete_if_few_strands_move_far_within_a_step() {
     let mut random = Random(5);
     let before: Vec<Strand> = (0..60).map(|_| Strand::random(&mut random, 4, 1.5, 0.04)).collect();
     let mut strands = before.clone();
@@ -365,15 +365,15 @@ fn what_was_found_stays_complete_where_few_strands_go_far_within_a_step() {
             let far = (k + iterate).is_multiple_of(9);
             strand.origin += random.vector() * if far { 5e-3 } else { 1e-4 };
         }
-        let (searched, touches) = touches_at_iterate(&mut kept, &before, &strands);
+        let (searched, contacts) = contacts_at_iterate(&mut kept, &before, &strands);
         searches += usize::from(searched);
         let mut fresh = HairPairs::default();
         fresh.set(&wisps(60, 1e-3), &options(0.5e-3, 0.0)).unwrap();
-        let (_, expected) = touches_between(&mut fresh, &before, &strands);
-        assert_same(&strands, &touches, &expected, iterate);
-        total += touches.len();
+        let (_, expected) = contacts_between(&mut fresh, &before, &strands);
+        assert_same(&strands, &contacts, &expected, iterate);
+        total += contacts.len();
     }
-    println!("{total} touches in {iterates} iterates, {searches} searches");
+    println!("{total} contacts in {iterates} iterates, {searches} searches");
     assert!(total > 15 * iterates && searches == iterates);
 }
 
@@ -392,30 +392,33 @@ fn strands_that_passed_through_each_other_keep_their_side() {
         let (then, now) = crossing(5e-3, 33e-3, angle);
         let mut pairs = HairPairs::default();
         pairs.set(&wisps(2, 1e-3), &options(0.5e-3, 0.0)).unwrap();
-        let (_, touches) = touches_between(&mut pairs, &then, &now);
-        assert!(!touches.is_empty(), "angle {angle}");
-        for touch in &touches {
+        let (_, contacts) = contacts_between(&mut pairs, &then, &now);
+        assert!(!contacts.is_empty(), "angle {angle}");
+        for contact in &contacts {
             // Pieces beside the crossing began 13 mm from it: 0.65 mm to the side, of 5 mm.
             let tilt = if angle == 0.05 { 0.131 } else { 0.0 };
-            assert!(touch.normal.z < -1.0 + 0.51 * tilt * tilt + 1e-9, "angle {angle}: {touch:?}");
-            assert!((touch.gap + 30e-3).abs() < 1e-6 + 0.02 * tilt * tilt, "angle {angle}: {touch:?}");
+            assert!(contact.normal.z < -1.0 + 0.51 * tilt * tilt + 1e-9, "angle {angle}: {contact:?}");
+            assert!((contact.gap + 30e-3).abs() < 1e-6 + 0.02 * tilt * tilt, "angle {angle}: {contact:?}");
         }
-        assert!(touches.iter().any(|touch| touch.normal.z < -1.0 + 1e-12 && (touch.gap + 30e-3).abs() < 1e-9), "angle {angle}");
+        assert!(
+            contacts.iter().any(|contact| contact.normal.z < -1.0 + 1e-12 && (contact.gap + 30e-3).abs() < 1e-9),
+            "angle {angle}"
+        );
         // A small step through: the second strand lies 1.5 mm above the first one's centreline and then 0.5 mm below it. Far from the
         // crossing strands at a small angle are beside each other, and have no side to keep.
         let (then, now) = crossing(1.5e-3, 2.0e-3, angle);
-        let (_, touches) = touches_between(&mut pairs, &then, &now);
-        let at_crossing = |touch: &&Touch| angle == 0.0 || (now[0].along(&touch.place) - 0.047).abs() < 3e-3;
-        assert!(touches.iter().filter(at_crossing).count() >= 1);
-        for touch in touches.iter().filter(at_crossing) {
-            assert!(touch.normal.z < -0.999_999 && (touch.gap + 2.5e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
+        let (_, contacts) = contacts_between(&mut pairs, &then, &now);
+        let at_crossing = |contact: &&ContactPoint| angle == 0.0 || (now[0].along(&contact.point) - 0.047).abs() < 3e-3;
+        assert!(contacts.iter().filter(at_crossing).count() >= 1);
+        for contact in contacts.iter().filter(at_crossing) {
+            assert!(contact.normal.z < -0.999_999 && (contact.gap + 2.5e-3).abs() < 1e-6, "angle {angle}: {contact:?}");
         }
         // Deep inside from the start: out along the shortest path.
         let (then, now) = crossing(0.2e-3, 0.4e-3, angle);
-        let (_, touches) = touches_between(&mut pairs, &then, &now);
-        assert!(touches.iter().filter(at_crossing).count() >= 1);
-        for touch in touches.iter().filter(at_crossing) {
-            assert!(touch.normal.z > 0.999_999 && (touch.gap + 1.8e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
+        let (_, contacts) = contacts_between(&mut pairs, &then, &now);
+        assert!(contacts.iter().filter(at_crossing).count() >= 1);
+        for contact in contacts.iter().filter(at_crossing) {
+            assert!(contact.normal.z > 0.999_999 && (contact.gap + 1.8e-3).abs() < 1e-6, "angle {angle}: {contact:?}");
         }
     }
 }
@@ -431,10 +434,10 @@ fn common_rotations_and_detours_are_not_crossings() {
     }
     let mut pairs = HairPairs::default();
     pairs.set(&wisps(2, 1e-3), &options(0.5e-3, 0.0)).unwrap();
-    let (_, touches) = touches_between(&mut pairs, &then, &now);
+    let (_, contacts) = contacts_between(&mut pairs, &then, &now);
     let normal = Rotation3::from_axis_angle(&Vector3::x_axis(), 2.0) * -Vector3::z();
-    assert_eq!(touches.len(), 1);
-    assert!((touches[0].gap + 0.05e-3).abs() < 1e-9 && (touches[0].normal - normal).norm() < 1e-9);
+    assert_eq!(contacts.len(), 1);
+    assert!((contacts[0].gap + 0.05e-3).abs() < 1e-9 && (contacts[0].normal - normal).norm() < 1e-9);
     // The second goes round the first one's tip, from above to below.
     let above = |x: f64, z: f64| {
         vec![
@@ -445,15 +448,15 @@ fn common_rotations_and_detours_are_not_crossings() {
     let places = [(0.099, 2e-3), (0.1 + 2.2e-3, 0.0), (0.099, -2e-3)];
     for two in places.windows(2) {
         let (then, now) = (above(two[0].0, two[0].1), above(two[1].0, two[1].1));
-        let (_, touches) = touches_between(&mut pairs, &then, &now);
-        assert!(touches.len() == 1 && touches[0].gap > -1e-9, "{touches:?}");
+        let (_, contacts) = contacts_between(&mut pairs, &then, &now);
+        assert!(contacts.len() == 1 && contacts[0].gap > -1e-9, "{contacts:?}");
     }
 }
 
 #[test]
 fn filters_exempt_lengths_and_a_strand_with_itself() {
     let (strands, _) = crossing(1.5e-3, 0.0, 1.5);
-    let meet = |a: Wisp, b: Wisp| touches_at(&strands, &[a, b], &options(0.0, 0.0)).len();
+    let meet = |a: Wisp, b: Wisp| contacts_at(&strands, &[a, b], &options(0.0, 0.0)).len();
     let plain = Wisp { radius: 1e-3, ..Wisp::default() };
     assert_eq!(meet(plain, plain), 1);
     assert_eq!(meet(plain, Wisp { radius: 0.0, ..plain }), 0);
@@ -475,14 +478,14 @@ fn filters_exempt_lengths_and_a_strand_with_itself() {
         lengths: vec![2.0 * std::f64::consts::TAU * square.sqrt() / 10.0; 10],
         curvatures: vec![[step / square, radius / square, 0.0]; 10],
     };
-    let meet = |wisp: Wisp| touches_at(std::slice::from_ref(&coil), &[wisp], &options(0.0, 0.0));
+    let meet = |wisp: Wisp| contacts_at(std::slice::from_ref(&coil), &[wisp], &options(0.0, 0.0));
     assert!(meet(plain).is_empty());
-    let touches = meet(Wisp { meets_itself: true, ..plain });
-    assert!(touches.len() >= 5, "{touches:?}");
-    for touch in &touches {
+    let contacts = meet(Wisp { meets_itself: true, ..plain });
+    assert!(contacts.len() >= 5, "{contacts:?}");
+    for contact in &contacts {
         let turn = std::f64::consts::TAU * square.sqrt();
-        let apart = coil.along(&partner(touch)) - coil.along(&touch.place);
-        assert!((apart - turn).abs() < 0.3e-3 && (touch.gap + 0.5e-3).abs() < 1e-5, "{touch:?}");
+        let apart = coil.along(&partner(contact)) - coil.along(&contact.point);
+        assert!((apart - turn).abs() < 0.3e-3 && (contact.gap + 0.5e-3).abs() < 1e-5, "{contact:?}");
     }
     assert!(meet(Wisp { meets_itself: true, radius: 0.7e-3, ..plain }).is_empty());
 }
@@ -499,13 +502,13 @@ fn bad_numbers_are_refused_by_name_and_change_nothing() {
     assert!(pairs.set(&[], &options(f64::INFINITY, 0.0)).unwrap_err().to_string().contains("activation is inf"));
     assert!(pairs.set(&[], &options(0.0, -1.0)).unwrap_err().to_string().contains("margin is -1"));
     assert!(pairs.update(&[]).unwrap_err().to_string().contains("strands is 0; expected 2"));
-    assert_eq!(touches_between(&mut pairs, &strands, &strands).1.len(), 1);
+    assert_eq!(contacts_between(&mut pairs, &strands, &strands).1.len(), 1);
     // A strand that is not finite meets nothing, and disturbs no other.
     let mut three = strands.clone();
     three.push(Strand { origin: Vector3::repeat(f64::NAN), ..strands[0].clone() });
     let mut pairs = HairPairs::default();
     pairs.set(&wisps(3, 1e-3), &options(0.0, 0.0)).unwrap();
-    assert_eq!(touches_between(&mut pairs, &three, &three).1.len(), 1);
+    assert_eq!(contacts_between(&mut pairs, &three, &three).1.len(), 1);
 }
 
 #[test]
@@ -517,7 +520,7 @@ fn nothing_is_allocated_once_memory_has_grown() {
         .map(|k| StrandPath { index: k as u32, start: strands[k].curve(&poses[k]), now: strands[k].curve(&poses[k]) })
         .collect();
     let wisps = wisps(40, 1e-3);
-    let (mut pairs, mut scratch, mut out) = (HairPairs::default(), TouchScratch::default(), Vec::new());
+    let (mut pairs, mut scratch, mut out) = (HairPairs::default(), PairScratch::default(), Vec::new());
     let mut counts = Vec::with_capacity(2);
     for _ in 0..2 {
         let before = ALLOCATIONS.with(Cell::get);
@@ -525,7 +528,7 @@ fn nothing_is_allocated_once_memory_has_grown() {
         assert!(pairs.update(&paths).unwrap() && !pairs.update(&paths).unwrap());
         out.clear();
         for group in pairs.groups() {
-            pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut out);
+            pairs.contacts(group, &paths, f64::INFINITY, &mut scratch, &mut out);
         }
         counts.push(ALLOCATIONS.with(Cell::get) - before);
     }

@@ -61,7 +61,7 @@ fn course(sheaves: usize, contradicted: bool) -> Vec<Tally> {
 /// Every search that finds something rebuilds all islands: one that was given up must not go through both attempts again each
 /// time.
 #[test]
-fn an_island_that_is_given_up_is_not_solved_again_for_contacts_of_others() {
+fn an_island_given_up_is_not_solved_again_for_contacts_of_others() {
     let (falling, contradicted, both) = (course(6, false), course(0, true), course(6, true));
     let most = falling.iter().map(|(_, searches, _)| *searches).max().unwrap();
     assert!(most >= 1, "nothing is found later: {falling:?}");

@@ -79,7 +79,7 @@ const NO_TURN: fn() -> UnitQuaternion<f64> = UnitQuaternion::identity;
 /// Ten centimetres to a metre, and quarter turns, within a frame: the step costs no more work than a calm one or two, nothing is lost, and a second later
 /// nothing is deep.
 #[test]
-fn hair_goes_along_with_a_head_that_jumps() {
+fn hair_moves_with_a_head_that_jumps() {
     let models = [
         (ContactModel::Coulomb, 50),
         (ContactModel::Penalty, 1),
@@ -115,7 +115,7 @@ fn hair_goes_along_with_a_head_that_jumps() {
 
 /// Without jumps no strand is carried, and with an infinite limit none ever is.
 #[test]
-fn only_what_hair_cannot_follow_is_a_jump() {
+fn only_motions_that_hair_cannot_follow_are_jumps() {
     let mut head = Head::new(ContactModel::Coulomb, 50, Workers::default());
     // As hard as a head can be shaken: 0.5 rad at 2 Hz, from rest.
     for step in 0..60 {
@@ -134,7 +134,7 @@ fn only_what_hair_cannot_follow_is_a_jump() {
 
 /// A mesh that deforms as far, its roots with it.
 #[test]
-fn hair_goes_along_with_a_scalp_that_deforms_at_once() {
+fn hair_moves_with_a_scalp_that_deforms_at_once() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let side = 12;
     let at = |i: usize, j: usize| Vector3::new(0.02 * i as f64 - 0.11, 0.02 * j as f64 - 0.11, 0.0);
@@ -268,7 +268,7 @@ fn diverged_strands_return() {
 /// The work of a step grows with the strands as they need it. Curls that stand on a ball shaken as hard as a head can be (0.5 rad at 2 Hz) need more than
 /// that: three in ten strand steps are left; with 60 units for every further element instead of 200 it is 45 in a hundred.
 #[test]
-fn the_usual_work_grows_with_the_strands_as_they_need_it() {
+fn the_usual_work_grows_with_the_work_that_strands_need() {
     let strands = 600;
     let mut head = Head::of(strands, ContactModel::Coulomb, 50, Workers::Pool(2));
     let (mut left, mut dearest) = (0, 0);
@@ -355,7 +355,7 @@ impl ThinRod {
 /// A tenth of a second after a thin rod has gone through hair, at any speed, none is on its wrong side, whether the rod came through in one step or in
 /// many, and whether strands meet each other or the rod alone.
 #[test]
-fn nothing_comes_out_behind_a_thin_rod() {
+fn no_strand_ends_up_behind_a_thin_rod() {
     let speeds = [0.5, 2.0, 10.0, 50.0];
     let cases = [60.0, 240.0].into_iter().flat_map(|rate| speeds.map(|speed| (speed, rate)));
     let cases =
@@ -382,7 +382,7 @@ fn nothing_comes_out_behind_a_thin_rod() {
 
 /// A strand that a step leaves out moves on as its root does, not as fast as it was when it could not be solved: the next one is easy.
 #[test]
-fn a_strand_that_is_left_out_does_not_keep_its_speed() {
+fn a_skipped_strand_does_not_keep_its_speed() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let mut def = StrandDef::straight(0.1, 5);
     def.initial_rates = Some(vec![[0.0, 300.0, 0.0]; 5]);

@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::{BodyDef, ContactModel, Frame, Integrator, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const LENGTH: f64 = 0.15;
-/// How far the swinging strands' centrelines are from a wall, and from each other, m: touches are looked for within a millimetre.
+/// How far the swinging strands' centrelines are from a wall, and from each other, m: contacts are looked for within a millimetre.
 const NEAR: f64 = 5e-4;
 
 /// The obstacle beside the swinging strands.
@@ -65,7 +65,7 @@ fn off(tips: &[Vector3<f64>], reference: &[Vector3<f64>]) -> f64 {
 /// A second of swinging, against steps of 1/3840 s of a strand that is alone: beside a wall or others it errs by what it errs by alone, and by a
 /// quarter of that in half the step. (By implicit Euler, as all strands near something went once, by 9.1 and 5.4 mm for 1.8 and 0.5.)
 #[test]
-fn strands_beside_something_swing_as_exactly_as_alone() {
+fn strands_beside_something_swing_as_accurately_as_alone() {
     let reference = swing(ContactModel::Coulomb, Beside::Nothing, 1.0 / 3840.0, Integrator::SecondOrder);
     let euler = swing(ContactModel::Coulomb, Beside::Wall, 1.0 / 60.0, Integrator::ImplicitEuler);
     assert!(off(&euler, &reference) > 5e-3);

@@ -80,7 +80,7 @@ fn calm(step: u32) -> Frame {
 
 /// Stiff hair, which reaches no head while it is led about.
 #[test]
-fn what_nothing_reaches_moves_as_if_there_were_nothing_and_costs_no_contact() {
+fn strands_out_of_reach_move_as_if_there_were_nothing_and_cost_no_contact() {
     let (mut alone, ids, _) = scene(None, 2e11);
     let mut beside = [false, true].map(|grid| scene(Some(head(grid)), 2e11));
     // At rest under their weight first.
@@ -96,7 +96,7 @@ fn what_nothing_reaches_moves_as_if_there_were_nothing_and_costs_no_contact() {
         for (solver, ids, body) in &mut beside {
             carry(solver, ids, *body, &calm(step));
             let report = solver.step(STEP, 1).unwrap();
-            assert_eq!((report.contact.touches, report.work), (0, 0), "step {step}: something was held");
+            assert_eq!((report.contact.contacts, report.work), (0, 0), "step {step}: something was held");
         }
     }
     let all = |solver: &Solver, ids: &[StrandId]| -> Vec<[f64; 3]> {

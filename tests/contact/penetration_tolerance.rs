@@ -95,12 +95,12 @@ fn swung(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) -
 /// Wherever a step has converged, no place of any strand is deeper in anything than the tolerance: also where the search at the step's end, which
 /// leaves out strands at rest, ran several times.
 #[test]
-fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
+fn contacts_are_found_though_resting_strands_are_not_searched_again() {
     {
         let model = ContactModel::Coulomb;
         let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default(), 3);
         let tolerance = ContactOptions::default().tolerance;
-        let (mut worst, mut searches, mut solved, mut touches) = ((0.0_f64, 0.0_f64), 0, 0, 0);
+        let (mut worst, mut searches, mut solved, mut contacts) = ((0.0_f64, 0.0_f64), 0, 0, 0);
         for step in 0..90 {
             let ball = swung(&mut solver, &ids, &defs, step);
             let report = solver.step(1.0 / 60.0, 1).unwrap();
@@ -110,10 +110,10 @@ fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
             }
             let (in_ball, in_hair) = deepest(&lines(&solver, &ids), ball, 1e-4);
             worst = (worst.0.max(in_ball), worst.1.max(in_hair));
-            (searches, solved, touches) = (searches + report.contact.searches, solved + 1, touches + report.contact.touches);
+            (searches, solved, contacts) = (searches + report.contact.searches, solved + 1, contacts + report.contact.contacts);
         }
-        println!("{model:?}: {solved} of 90 solved, {searches} more searches, {touches} touches, deepest {worst:?}");
-        assert!(searches > 10 && solved > 60 && touches > 300, "{searches} {solved} {touches}");
+        println!("{model:?}: {solved} of 90 solved, {searches} more searches, {contacts} contacts, deepest {worst:?}");
+        assert!(searches > 10 && solved > 60 && contacts > 300, "{searches} {solved} {contacts}");
         // A micrometre for the lines.
         assert!(worst.0 < tolerance + 1e-6 && worst.1 < tolerance + 1e-6, "{worst:?}");
     }
@@ -134,8 +134,8 @@ fn islands_that_end_early_are_reported_with_their_depth() {
             let sampled = deepest(&lines, ball, 1e-4);
             let of_list = |hair: bool| {
                 let those =
-                    solver.contacts().iter().filter(|touch| matches!(touch.partner, ContactPartner::Strand { .. }) == hair);
-                those.map(|touch| -touch.gap).fold(0.0, f64::max)
+                    solver.contacts().iter().filter(|contact| matches!(contact.partner, ContactPartner::Strand { .. }) == hair);
+                those.map(|contact| -contact.gap).fold(0.0, f64::max)
             };
             // The report has the depths of the list, and more where no force acts.
             assert!(of_list(true).max(of_list(false)) <= report.contact.penetration, "{report:?}");
@@ -156,7 +156,7 @@ fn islands_that_end_early_are_reported_with_their_depth() {
                 deep = deep.max(most);
             }
         }
-        println!("{model:?}, {halvings} halvings: {told} islands of {strands} strands told, {deep:e} m deep");
+        println!("{model:?}, {halvings} halvings: {told} islands of {strands} strands reported, {deep:e} m deep");
         // With substeps most converge.
         assert!(halvings > 0 || told > 5 && deep > 1e-4, "{told} {deep:e}");
     }
@@ -192,10 +192,10 @@ fn an_impossible_constraint_affects_no_other_strand() {
             }
             told += u32::from(report.contact.unconverged > 0);
             worst = (worst.0.max(others.0), worst.1.max(others.1));
-            let strand = solver.contacts().iter().filter(|touch| touch.strand == ids[0]).map(|touch| -touch.gap);
+            let strand = solver.contacts().iter().filter(|contact| contact.strand == ids[0]).map(|contact| -contact.gap);
             sunk = strand.fold(sunk, f64::max);
         }
-        println!("{model:?}: {told} steps told, the pinched strand {sunk:e} m deep, the others {worst:?}");
+        println!("{model:?}: {told} steps reported, the pinched strand {sunk:e} m deep, the others {worst:?}");
         // Where nothing else pulls at it, it is half of what is too much in either wall.
         assert!(told > 20 && sunk > 4e-5 && sunk < 1e-4, "{told} {sunk:e}");
         let tolerance = ContactOptions::default().tolerance;
@@ -206,7 +206,7 @@ fn an_impossible_constraint_affects_no_other_strand() {
 /// Where no attempt brings a strand near convergence it keeps its initial state, and is reported; the others of its island
 /// continue and do not stay in place with it.
 #[test]
-fn a_strand_that_is_lost_takes_nobody_along() {
+fn a_diverged_strand_affects_no_other() {
     // Too few iterations for a strand whose root is turned over.
     let few = ContactOptions { max_iterations: 12, ..ContactOptions::default() };
     let (mut solver, ids, defs) = falling(ContactModel::Penalty, 8, few, 0);
@@ -226,10 +226,10 @@ fn a_strand_that_is_lost_takes_nobody_along() {
     assert!(moved >= report.unconverged, "{moved} {report:?}");
 }
 
-/// Hair that is drawn into hair, and pressed into it by its own shape, comes out: its touches' springs are pushed on. (By the springs
+/// Hair that is drawn into hair, and pressed into it by its own shape, comes out: its contacts' springs are pushed on. (By the springs
 /// alone it went right through.)
 #[test]
-fn what_is_drawn_in_each_other_and_pressed_together_parts() {
+fn strands_drawn_into_each_other_and_pressed_together_separate() {
     {
         let model = ContactModel::Coulomb;
         let contact = ContactOptions { model, hair: true, ..ContactOptions::default() };
@@ -274,7 +274,7 @@ fn the_reported_depth_of_hair_in_hair_is_that_of_the_strands_not_of_their_contac
     const STRANDS: usize = 25;
     {
         let model = ContactModel::Coulomb;
-        // So few iterations leave touches that do not hold.
+        // So few iterations leave contacts that do not hold.
         let contact = ContactOptions { model, hair: true, max_iterations: 3, ..ContactOptions::default() };
         let mut options = SolverOptions { contact, ..SolverOptions::default() };
         options.step.max_subdivisions = 0;
@@ -309,10 +309,10 @@ fn the_reported_depth_of_hair_in_hair_is_that_of_the_strands_not_of_their_contac
             let lines = lines(&solver, &ids);
             let depth = deepest(&lines, Vector3::repeat(1.0), 0.0).1.max(0.0);
             off = off.max((report.contact.penetration - depth).abs());
-            listed = listed.max(solver.contacts().iter().fold(0.0, |a: f64, touch| a.max(-touch.gap)) - depth);
+            listed = listed.max(solver.contacts().iter().fold(0.0, |a: f64, contact| a.max(-contact.gap)) - depth);
             failed += report.contact.unconverged;
         }
-        println!("{model:?}, {failed} islands not at their end: told within {off:e} m, listed {listed:e} m too deep at most");
+        println!("{model:?}, {failed} islands unconverged: reported within {off:e} m, listed {listed:e} m too deep at most");
         // Overlaps within the tolerance may be reported as none.
         let tolerance = solver.options().contact.tolerance;
         assert!(off < 1.1 * tolerance && listed < 1.1 * tolerance, "{off:e} {listed:e}");

@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use superhelix::internals::contact::body::BodyAt;
-use superhelix::internals::contact::strand_body::{PathBounds, Scratch, Span, touches};
-use superhelix::internals::contact::touch::{StrandCurve, StrandPath, Touch};
+use superhelix::internals::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
+use superhelix::internals::contact::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
 use superhelix::internals::math::vector::{Mat3, Vec3};
 use superhelix::internals::rod::kinematics::{ElementState, element_state};
 use superhelix::{Frame, Shape};
@@ -136,16 +136,16 @@ impl Moving {
         }
     }
 
-    pub fn touches(&self, radius: f64, body: &BodyAt, within: f64) -> Vec<Touch> {
-        self.touches_from(0.0, radius, body, within)
+    pub fn contacts(&self, radius: f64, body: &BodyAt, within: f64) -> Vec<ContactPoint> {
+        self.contacts_from(0.0, radius, body, within)
     }
 
-    pub fn touches_from(&self, exempt: f64, radius: f64, body: &BodyAt, within: f64) -> Vec<Touch> {
+    pub fn contacts_from(&self, exempt: f64, radius: f64, body: &BodyAt, within: f64) -> Vec<ContactPoint> {
         let path = self.path();
         let mut bounds = PathBounds::default();
         bounds.update(&path);
         let mut out = Vec::new();
-        touches(&path, &bounds, Span { exempt }, radius, body, within, &mut Scratch::default(), &mut out);
+        contacts(&path, &bounds, Span { exempt }, radius, body, within, &mut BodySearchScratch::default(), &mut out);
         out
     }
 }

@@ -32,7 +32,7 @@ fn tip(solver: &Solver, id: StrandId, length: f64) -> Vector3<f64> {
 }
 
 #[test]
-fn a_resting_strand_is_borne_by_its_contacts() {
+fn contacts_bear_the_weight_of_a_resting_strand() {
     for model in [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Coulomb] {
         let mut solver = solver(model, Vector3::new(0.0, 0.0, -GRAVITY));
         let def = lying(10);
@@ -257,7 +257,7 @@ fn a_fast_thin_tooth_does_not_pass_through() {
 /// A moving body reaches its target whether a strand touches it or not, and an earlier contact is no contact
 /// of a step in which nothing does.
 #[test]
-fn bodies_go_on_and_contacts_end_where_no_strand_touches() {
+fn bodies_move_on_and_contacts_end_without_strands_in_contact() {
     let mut solver = solver(ContactModel::Coulomb, Vector3::new(0.0, 0.0, -GRAVITY));
     let id = solver.add_strands(&[lying(6)]).unwrap()[0];
     let floor = solver.add_bodies(vec![floor()]).unwrap()[0];
@@ -292,7 +292,7 @@ fn bodies_go_on_and_contacts_end_where_no_strand_touches() {
 
 /// As grooms are drawn: what is in a body when the scene begins comes out of it, slowly, and stays out.
 #[test]
-fn what_is_drawn_in_a_body_parts_slowly() {
+fn a_strand_drawn_into_a_body_separates_slowly() {
     {
         let model = ContactModel::Coulomb;
         let mut solver = solver(model, Vector3::new(0.0, 0.0, -GRAVITY));

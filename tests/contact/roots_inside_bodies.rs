@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::editing::Allowance;
+use superhelix::editing::PermittedOverlap;
 use superhelix::{
     BodyDef, BodyId, ContactModel, Frame, Shape, Solver, SolverOptions, StepReport, StrandContact, StrandDef, StrandId,
 };
@@ -33,7 +33,7 @@ fn steps(solver: &mut Solver, count: u32) -> Vec<StepReport> {
     (0..count).map(|_| solver.step(1.0 / 60.0, 1).unwrap()).collect()
 }
 
-/// A strand that stands on a scalp: its root 30 µm over it, nearer than it is thick. As a touch that was to hold it made every step of the hard
+/// A strand that stands on a scalp: its root 30 µm over it, nearer than it is thick. As a contact that was to hold it made every step of the hard
 /// models unconverged.
 #[test]
 fn a_root_on_the_surface_is_reported_and_does_not_affect_the_strand() {
@@ -41,7 +41,7 @@ fn a_root_on_the_surface_is_reported_and_does_not_affect_the_strand() {
         let (mut solver, id, floor, weight) = scene(model, 30e-6, 1.5, StrandContact::default());
         for (step, report) in steps(&mut solver, 30).iter().enumerate() {
             let contact = report.contact;
-            assert_eq!((report.unconverged, contact.unconverged, contact.touches), (0, 0, 0), "{model:?} {step}: {report:?}");
+            assert_eq!((report.unconverged, contact.unconverged, contact.contacts), (0, 0, 0), "{model:?} {step}: {report:?}");
             assert_eq!(contact.roots_inside, 1, "{model:?} {step}: {report:?}");
             assert!((contact.penetration - (RADIUS - 30e-6)).abs() < 1e-12, "{model:?} {step}: {report:?}");
         }
@@ -73,7 +73,7 @@ fn a_root_deep_in_a_body_is_reported() {
 /// What lies on a floor with its root at the floor's height is borne by it, and converges: the root made the second attempt of every step, in
 /// which nothing rubs.
 #[test]
-fn what_lies_on_a_body_is_solved_though_its_root_is_in_it() {
+fn strands_on_a_body_converge_though_their_roots_are_in_it() {
     {
         let model = ContactModel::Coulomb;
         let (mut solver, id, floor, weight) = scene(model, 30e-6, 0.0, StrandContact::default());
@@ -101,8 +101,8 @@ fn permitted_roots_are_not_reported() {
         let contact = steps(&mut solver, 2)[1].contact;
         assert_eq!((contact.roots_inside, contact.unconverged), (0, 0), "{model:?}");
         let (mut solver, id, ..) = scene(model, -1e-3, 1.5, StrandContact::default());
-        let sunk = Allowance { along: vec![0.0, 0.01], wisp_shares: vec![1.0; 2], sunk: vec![2e-3; 2] };
-        solver.set_allowances(&[id], &[Some(sunk)]).unwrap();
+        let sunk = PermittedOverlap { along: vec![0.0, 0.01], wisp_fractions: vec![1.0; 2], sunk: vec![2e-3; 2] };
+        solver.set_permitted_overlaps(&[id], &[Some(sunk)]).unwrap();
         assert_eq!(steps(&mut solver, 2)[1].contact.roots_inside, 0, "{model:?}");
     }
 }

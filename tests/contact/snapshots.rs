@@ -146,7 +146,7 @@ fn readings(scene: &Scene) -> Vec<u64> {
 }
 
 #[test]
-fn a_run_goes_on_bit_for_bit_from_an_image() {
+fn a_run_goes_on_bit_for_bit_from_a_snapshot() {
     for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         let mut first = scene(Workers::Serial, model);
         first.hashes(0..10);
@@ -183,7 +183,7 @@ fn a_run_goes_on_bit_for_bit_from_an_image() {
 }
 
 #[test]
-fn identifiers_given_out_after_an_image_are_not_given_out_again() {
+fn identifiers_issued_after_a_snapshot_are_not_issued_again() {
     let mut scene = scene(Workers::Serial, ContactModel::Penalty);
     let image = scene.solver.snapshot();
     let body = || BodyDef::new(Arc::new(Shape::new_sphere(0.01).unwrap()));
@@ -199,7 +199,7 @@ fn identifiers_given_out_after_an_image_are_not_given_out_again() {
 }
 
 #[test]
-fn damaged_images_are_refused_and_change_nothing() {
+fn damaged_contact_snapshots_are_refused_and_change_nothing() {
     let mut scene = scene(Workers::Serial, ContactModel::Penalty);
     scene.hashes(0..4);
     let (image, hash) = (scene.solver.snapshot(), scene.solver.state_hash());
@@ -249,7 +249,7 @@ fn damaged_images_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn strands_go_on_when_nothing_holds_them_any_more() {
+fn strands_move_on_when_they_are_released() {
     let mut scene = scene(Workers::Serial, ContactModel::Penalty);
     scene.hashes(0..3);
     let mut options = scene.solver.options().contact;
@@ -263,7 +263,7 @@ fn strands_go_on_when_nothing_holds_them_any_more() {
 }
 
 #[test]
-fn elements_may_change_while_strands_touch() {
+fn elements_may_change_while_strands_are_in_contact() {
     let mut scene = scene(Workers::Serial, ContactModel::Penalty);
     scene.hashes(0..4);
     for count in [2, 9] {

@@ -2,8 +2,8 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::internals::contact::body::BodyAt;
-use superhelix::internals::contact::strand_body::{PathBounds, Scratch, Span, touches};
-use superhelix::internals::contact::touch::{Partner, Touch};
+use superhelix::internals::contact::contact_point::{ContactPoint, Partner};
+use superhelix::internals::contact::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{Frame, Shape};
 
@@ -23,23 +23,23 @@ fn gap(moving: &Moving, element: usize, s: f64, thickness: f64, body: &BodyAt) -
 /// Checks a strand's touches against samples, and counts them.
 fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -> usize {
     const SAMPLES: usize = 160;
-    // How much deeper than the touches beside it a place may be that is found in a later iterate only: along facets the distance has
+    // How much deeper than the contacts beside it a place may be that is found in a later iterate only: along facets the distance has
     // minima closer together than the pieces in which a strand is searched. All overlaps with triangles are detected to 5e-6 m.
     let facets = matches!(name, "mesh" | "hull");
     let missed_apart = if facets || name == "grid" { 1e-4 } else { 3e-6 };
-    let found = moving.touches(radius, body, within);
+    let found = moving.contacts(radius, body, within);
     let thickness = radius + body.thickness;
-    for touch in &found {
-        let exact = gap(moving, touch.place.element as usize, touch.place.s, thickness, body);
+    for contact in &found {
+        let exact = gap(moving, contact.point.element as usize, contact.point.s, thickness, body);
         // Deeper than the distance where it lies across an edge: there it is held off across itself.
-        let tangent = moving.path().now.tangent(touch.place.element as usize, touch.place.s);
-        let across_edge = exact < -thickness && touch.gap < exact && touch.normal.dot(&tangent).abs() < 0.1;
-        assert!(across_edge || (touch.gap - exact).abs() < 1e-12, "{name}: {touch:?} {exact}");
-        assert!(touch.gap < within && touch.carried == Vector3::zeros());
-        assert!(matches!(touch.partner, Partner::Body { body: 7, .. }) && touch.place.strand == 3);
+        let tangent = moving.path().now.tangent(contact.point.element as usize, contact.point.s);
+        let across_edge = exact < -thickness && contact.gap < exact && contact.normal.dot(&tangent).abs() < 0.1;
+        assert!(across_edge || (contact.gap - exact).abs() < 1e-12, "{name}: {contact:?} {exact}");
+        assert!(contact.gap < within && contact.carried == Vector3::zeros());
+        assert!(matches!(contact.partner, Partner::Body { body: 7, .. }) && contact.point.strand == 3);
     }
-    assert!(found.is_sorted_by(|a, b| (a.place.element, a.place.s) < (b.place.element, b.place.s)), "{name}: {found:?}");
-    let along = |touch: &Touch| f64::from(touch.place.element) * LENGTH + touch.place.s;
+    assert!(found.is_sorted_by(|a, b| (a.point.element, a.point.s) < (b.point.element, b.point.s)), "{name}: {found:?}");
+    let along = |contact: &ContactPoint| f64::from(contact.point.element) * LENGTH + contact.point.s;
     let count = moving.now.1.len();
     let place = |index: usize| (index as f64) * LENGTH / SAMPLES as f64;
     let values: Vec<f64> = (0..=count * SAMPLES)
@@ -56,15 +56,15 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
         let left = if index == 0 { f64::INFINITY } else { values[index - 1] };
         let right = values.get(index + 1).copied().unwrap_or(f64::INFINITY);
         if *value <= left && *value <= right {
-            // A minimum to one spacing: one touch there is as deep, or one next to it with no crest in between that counts.
+            // A minimum to one spacing: one contact there is as deep, or one next to it with no crest in between that counts.
             let (low, high) = (place(index) - 1e-9, place(index) + 1e-9);
             let overlap = facets && *value < 0.0;
             let missed = if overlap { 6e-6 } else { missed_apart };
             // Of overlaps the deepest within two millimetres.
             let reach = if overlap { 2.2e-3 } else { 1.01 * place(1) };
-            let covered = found.iter().any(|touch| {
-                let s = along(touch);
-                let as_deep = touch.gap < value + missed;
+            let covered = found.iter().any(|contact| {
+                let s = along(contact);
+                let as_deep = contact.gap < value + missed;
                 let near = s > low - reach && s < high + reach;
                 let between = (s.min(place(index)), s.max(place(index)));
                 let crest = values
@@ -99,10 +99,10 @@ fn shapes() -> Vec<(&'static str, Shape)> {
 }
 
 #[test]
-fn every_minimum_of_the_distance_is_a_touch() {
+fn every_minimum_of_the_distance_is_a_contact() {
     let mut dice = Dice(77);
     for (name, shape) in shapes() {
-        let mut touches = 0;
+        let mut contacts = 0;
         for _ in 0..40 {
             let curl = [4.0, 20.0, 80.0, 200.0][(dice.unit() * 4.0) as usize];
             let curvatures: Vec<[f64; 3]> =
@@ -116,44 +116,44 @@ fn every_minimum_of_the_distance_is_a_touch() {
             moving.now.0 = pose.origin + pose.rotation * on - place;
             moving.start.0 = moving.now.0;
             let body = at_rest(&shape, pose, 0.001);
-            touches += check(name, &moving, 0.0005, &body, 0.002);
+            contacts += check(name, &moving, 0.0005, &body, 0.002);
         }
-        assert!(touches > 30, "{name}: {touches} touches");
+        assert!(contacts > 30, "{name}: {contacts} contacts");
     }
 }
 
 #[test]
-fn a_straight_strand_on_a_plane_is_held_at_its_elements_ends() {
+fn a_straight_strand_on_a_plane_has_contacts_at_its_elements_ends() {
     let shape = Shape::new_half_space(Vector3::z()).unwrap();
     let body = at_rest(&shape, Frame::default(), 0.0);
     let moving = Moving::still(Vector3::new(0.0, 0.0, 0.0001), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0; 3]; 3]));
-    let found = moving.touches(0.0001, &body, 0.001);
-    let places: Vec<(u32, f64)> = found.iter().map(|touch| (touch.place.element, touch.place.s)).collect();
+    let found = moving.contacts(0.0001, &body, 0.001);
+    let places: Vec<(u32, f64)> = found.iter().map(|contact| (contact.point.element, contact.point.s)).collect();
     assert_eq!(places, [(0, 0.0), (0, LENGTH), (1, LENGTH), (2, LENGTH)]);
-    assert!(found.iter().all(|touch| touch.gap.abs() < 1e-17 && touch.normal == Vector3::z()));
+    assert!(found.iter().all(|contact| contact.gap.abs() < 1e-17 && contact.normal == Vector3::z()));
     // The exempt part ends in the second element: that place takes the root's part.
-    let found = moving.touches_from(0.025, 0.0001, &body, 0.001);
-    let places: Vec<(u32, f64)> = found.iter().map(|touch| (touch.place.element, touch.place.s)).collect();
+    let found = moving.contacts_from(0.025, 0.0001, &body, 0.001);
+    let places: Vec<(u32, f64)> = found.iter().map(|contact| (contact.point.element, contact.point.s)).collect();
     assert_eq!(places.len(), 3);
     assert!(places[0].0 == 1 && (places[0].1 - 0.005).abs() < 1e-15 && places[1..] == [(1, LENGTH), (2, LENGTH)]);
 }
 
 #[test]
-fn a_strand_deep_inside_is_touched() {
+fn a_strand_deep_inside_has_contacts() {
     let (vertices, triangles) = bumpy(0.2, 3);
     for shape in [Shape::new_mesh(vertices.clone(), triangles, Sides::Solid).unwrap(), Shape::new_sphere(0.15).unwrap()] {
         let body = at_rest(&shape, Frame::default(), 0.0);
         let moving = Moving::still(Vector3::zeros(), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0, 1.0, 0.0]; 3]));
-        let found = moving.touches(0.0001, &body, 0.001);
+        let found = moving.contacts(0.0001, &body, 0.001);
         // It leaves the middle straight outward: all that could be pushed out is pushed along itself, but for the root.
-        assert!(!found.is_empty() && found.iter().all(|touch| touch.gap < -0.05), "{found:?}");
+        assert!(!found.is_empty() && found.iter().all(|contact| contact.gap < -0.05), "{found:?}");
     }
 }
 
-/// A straight strand through an edge of a box: one touch, whose plane is across the strand and through the edge: the box lies behind it and
+/// A straight strand through an edge of a box: one contact, whose plane is across the strand and through the edge: the box lies behind it and
 /// reaches up to it. The faces' own normals would push the strand along itself.
 #[test]
-fn a_strand_across_an_edge_is_held_off_across_itself() {
+fn a_strand_across_an_edge_is_pushed_across_itself() {
     let half = Vector3::new(0.03, 0.02, 0.01);
     let shape = Shape::new_box(half).unwrap();
     let body = at_rest(&shape, Frame::default(), 0.0);
@@ -167,32 +167,32 @@ fn a_strand_across_an_edge_is_held_off_across_itself() {
         let origin = below - direction * (1.5 * LENGTH);
         let moving = Moving::still(origin, strand(&turn, LENGTH, &[[0.0; 3]; 3]));
         let radius = 5e-5;
-        let found: Vec<Touch> = moving.touches(radius, &body, 0.0);
+        let found: Vec<ContactPoint> = moving.contacts(radius, &body, 0.0);
         let deepest = found.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)).unwrap();
         let normal = deepest.normal;
         assert!(normal.dot(&direction).abs() < 1e-6, "{deepest:?} {direction:?}");
-        let at = moving.path().now.position(deepest.place.element as usize, deepest.place.s);
+        let at = moving.path().now.position(deepest.point.element as usize, deepest.point.s);
         let plane = normal.dot(&at) - (deepest.gap + radius);
         let reach = normal.abs().dot(&half);
         assert!((plane - reach).abs() < 2e-6, "{deepest:?}: {plane} {reach}");
-        assert!(found.iter().all(|touch| touch.normal.dot(&direction).abs() < 0.5 + 1e-9), "{found:?}");
+        assert!(found.iter().all(|contact| contact.normal.dot(&direction).abs() < 0.5 + 1e-9), "{found:?}");
     }
 }
 
 #[test]
-fn lists_used_again_change_nothing() {
+fn reused_lists_change_nothing() {
     // Many strands through one scratch give what each gives with its own.
     let (vertices, triangles) = bumpy(0.05, 3);
     let shape = Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap();
     let body = at_rest(&shape, Frame::default(), 0.0);
-    let (mut dice, mut scratch, mut bounds, mut all) = (Dice(3), Scratch::default(), PathBounds::default(), Vec::new());
+    let (mut dice, mut scratch, mut bounds, mut all) = (Dice(3), BodySearchScratch::default(), PathBounds::default(), Vec::new());
     let mut alone = Vec::new();
     for _ in 0..30 {
         let moving = Moving::still(dice.cube() * 0.06, strand(&dice.rotation(), LENGTH, &[[3.0, 10.0, 5.0]; 4]));
         let path = moving.path();
         bounds.update(&path);
-        touches(&path, &bounds, Span::default(), 1e-4, &body, 0.001, &mut scratch, &mut all);
-        alone.extend(moving.touches(1e-4, &body, 0.001));
+        contacts(&path, &bounds, Span::default(), 1e-4, &body, 0.001, &mut scratch, &mut all);
+        alone.extend(moving.contacts(1e-4, &body, 0.001));
     }
     assert!(all.len() > 20);
     assert_eq!(all, alone);

@@ -33,7 +33,7 @@ struct Course {
     unconverged: u32,
     off: f64,
     force: f64,
-    touches: u32,
+    contacts: u32,
     points: Vec<Vector3<f64>>,
 }
 
@@ -45,7 +45,7 @@ fn course(model: ContactModel, defs: &[StrandDef], wisp_radius: f64, ties: impl 
     let ids = solver.add_strands(defs).unwrap();
     solver.set_contact(&ids, Some(&StrandContact { wisp_radius, ..StrandContact::default() })).unwrap();
     let ties = solver.add_constraints(&ties(&ids)).unwrap();
-    let mut course = Course { unconverged: 0, off: 0.0, force: 0.0, touches: 0, points: Vec::new() };
+    let mut course = Course { unconverged: 0, off: 0.0, force: 0.0, contacts: 0, points: Vec::new() };
     for step in 1..=120 {
         let sway = 0.02 * (2.0 * PI * f64::from(step) / 60.0).sin() * Vector3::x();
         let frames: Vec<Frame> = defs.iter().map(|def| Frame { origin: def.root.origin + sway, ..def.root }).collect();
@@ -54,7 +54,7 @@ fn course(model: ContactModel, defs: &[StrandDef], wisp_radius: f64, ties: impl 
         assert_eq!(report.quarantined, 0);
         if step > 15 {
             course.unconverged += report.contact.unconverged;
-            course.touches += report.contact.touches;
+            course.contacts += report.contact.contacts;
             for id in &ties {
                 let state = solver.constraint_state(*id).unwrap();
                 assert_eq!(state.status, ConstraintStatus::Holds, "{model:?} step {step}: {state:?}");
@@ -70,15 +70,15 @@ fn course(model: ContactModel, defs: &[StrandDef], wisp_radius: f64, ties: impl 
 /// Strands tied in a row, at their tips and above: the knot holds to 1e-9 m by the forces that it takes without contact, a thousandth of
 /// what it took while wisps were pushed apart in it.
 #[test]
-fn a_knot_of_wisps_holds_as_one_of_lines() {
+fn a_knot_of_wisps_holds_like_one_of_lines() {
     for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         for (count, at, radius) in [(2, 0.1, 2e-3), (2, 0.07, 2e-3), (5, 0.08, 1e-3)] {
             let defs = hanging(count, 0.01);
             let ties = |ids: &[StrandId]| ids.windows(2).map(|pair| tie(pair[0], pair[1], at)).collect::<Vec<_>>();
             let (wisps, lines) = (course(model, &defs, radius, ties), course(model, &defs, 0.0, ties));
             println!(
-                "{model:?} {count} at {at}: {} unconverged, off {:e}, {:e} N, {:e} N without wisps, {} touches",
-                wisps.unconverged, wisps.off, wisps.force, lines.force, wisps.touches
+                "{model:?} {count} at {at}: {} unconverged, off {:e}, {:e} N, {:e} N without wisps, {} contacts",
+                wisps.unconverged, wisps.off, wisps.force, lines.force, wisps.contacts
             );
             assert!(wisps.off < 1e-9 && wisps.unconverged == 0, "{} {:e}", wisps.unconverged, wisps.off);
             assert!(wisps.force < 3.0 * lines.force, "{:e} {:e}", wisps.force, lines.force);
@@ -88,7 +88,7 @@ fn a_knot_of_wisps_holds_as_one_of_lines() {
 
 /// Away from the knot tied strands keep off each other: two that cross well above it, and are not tied there, do not pass.
 #[test]
-fn away_from_their_knot_tied_strands_touch() {
+fn tied_strands_collide_away_from_their_knot() {
     let mut defs = hanging(2, 4e-3);
     // Bent towards each other: as lines they cross on their way down.
     defs[0].natural = vec![[0.0, 0.0, 0.0]; 10];
@@ -109,7 +109,7 @@ fn away_from_their_knot_tied_strands_touch() {
         let (one, other) = (&points[..15], &points[21..36]);
         one.iter().flat_map(|a| other.iter().map(move |b| (a - b).norm())).fold(f64::INFINITY, f64::min)
     };
-    println!("nearest {:e}, as lines {:e}; {} touches", nearest(&wisps.points), nearest(&lines.points), wisps.touches);
-    assert!(nearest(&lines.points) < 1.5 * radius && wisps.touches > 50, "{:e} {}", nearest(&lines.points), wisps.touches);
+    println!("nearest {:e}, as lines {:e}; {} contacts", nearest(&wisps.points), nearest(&lines.points), wisps.contacts);
+    assert!(nearest(&lines.points) < 1.5 * radius && wisps.contacts > 50, "{:e} {}", nearest(&lines.points), wisps.contacts);
     assert!(nearest(&wisps.points) > 2.0 * radius - 2e-5, "{:e}", nearest(&wisps.points));
 }

@@ -18,7 +18,7 @@ fn valley(slope: f64) -> Shape {
 }
 
 #[test]
-fn a_tip_in_a_crease_is_held_by_both_faces() {
+fn a_tip_in_a_crease_is_in_contact_with_both_faces() {
     let (mut unconverged, mut deepest, mut spent, mut steps) = (0, 0.0_f64, 0, 0);
     for slope in [0.2, 0.3, 0.36] {
         for k in 0..8 {

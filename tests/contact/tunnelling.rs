@@ -42,16 +42,16 @@ fn a_comb_tooth_does_not_pass() {
                     let moving = Moving::still(Vector3::zeros(), strand);
                     let on = moving.path().now.position(1, place.x - LENGTH);
                     let body = BodyAt::new(7, &shape, pose(on - way * 0.6), pose(on + way * 0.4), 0.0);
-                    let found = moving.touches(RADIUS, &body, 1e-3);
-                    let hit = found.iter().filter(|touch| touch.gap < 0.0).collect::<Vec<_>>();
+                    let found = moving.contacts(RADIUS, &body, 1e-3);
+                    let hit = found.iter().filter(|contact| contact.gap < 0.0).collect::<Vec<_>>();
                     assert!(!hit.is_empty(), "h {h}, turn {turn}, curl {curl}: {found:?}");
-                    for touch in &hit {
-                        assert!(touch.normal.dot(&way.normalize()) > 0.5, "{touch:?}");
-                        assert!((touch.carried - way).norm() < 1e-15);
+                    for contact in &hit {
+                        assert!(contact.normal.dot(&way.normalize()) > 0.5, "{contact:?}");
+                        assert!((contact.carried - way).norm() < 1e-15);
                     }
                     if turn == 2 && curl == 0.0 {
                         // Straight on: what the tooth went beyond the strand, and both thicknesses.
-                        let deepest = hit.iter().map(|touch| touch.gap).fold(0.0, f64::min);
+                        let deepest = hit.iter().map(|contact| contact.gap).fold(0.0, f64::min);
                         let expected = -(0.4 * 2.0 * h + 0.0005 + RADIUS);
                         assert!((deepest - expected).abs() < 1e-9, "{deepest} {expected}");
                     }
@@ -87,7 +87,7 @@ fn a_strand_does_not_pass_a_sheet() {
             now: carry(&pose, &moving.now, &turned, &curvatures),
         };
         let body = BodyAt::new(7, shape, pose, pose, 0.0);
-        let found = world.touches(RADIUS, &body, 1e-3);
+        let found = world.contacts(RADIUS, &body, 1e-3);
         let normal = pose.rotation * Vector3::z() * side;
         // All that is through is held: the lowest point of each element that lies beyond the sheet.
         for element in 0..3 {
@@ -96,13 +96,13 @@ fn a_strand_does_not_pass_a_sheet() {
             if heights.iter().all(|height| *height < -0.001) {
                 let deepest = found
                     .iter()
-                    .filter(|touch| touch.place.element as usize == element && touch.normal.dot(&normal) > 0.9)
-                    .map(|touch| touch.gap)
+                    .filter(|contact| contact.point.element as usize == element && contact.normal.dot(&normal) > 0.9)
+                    .map(|contact| contact.gap)
                     .fold(0.0, f64::min);
                 assert!(deepest < -0.001, "case {case}, element {element}: {found:#?}");
             }
         }
-        assert!(found.iter().all(|touch| touch.normal.dot(&normal) > -1e-9), "case {case}: {found:#?}");
+        assert!(found.iter().all(|contact| contact.normal.dot(&normal) > -1e-9), "case {case}: {found:#?}");
     }
 }
 
@@ -117,7 +117,7 @@ fn carry(
 }
 
 #[test]
-fn around_a_rim_a_strand_may_pass() {
+fn a_strand_may_pass_around_a_rim() {
     let (vertices, triangles) = sheet(0.05, 4);
     let shape = Shape::new_mesh(vertices, triangles, Sides::Both).unwrap();
     let body = BodyAt::new(7, &shape, Frame::default(), Frame::default(), 0.0);
@@ -126,7 +126,7 @@ fn around_a_rim_a_strand_may_pass() {
         -0.06 * Vector3::z(),
         strand(&UnitQuaternion::from_scaled_axis(Vector3::z() * 1.57), LENGTH, &[[0.0; 3]; 3]),
     );
-    assert_eq!(moving.touches(RADIUS, &body, 1e-3), []);
+    assert_eq!(moving.contacts(RADIUS, &body, 1e-3), []);
 }
 
 /// What dense sampling of time finds: places of a strand that go through the body, coming from outside: element, s, normal on entry (local).
@@ -199,16 +199,16 @@ fn sweeps_agree_with_dense_sampling_of_time() {
             let end = Frame { origin: place + way * 0.5, rotation: twist * turn };
             let body = BodyAt::new(7, &shape, start, end, 0.0);
             let thickness = 2e-4;
-            let found = moving.touches(thickness, &body, 1e-3);
+            let found = moving.contacts(thickness, &body, 1e-3);
             for (element, s, normal) in sampled_hits(&moving, &body, 0.5 * thickness) {
                 expected += 1;
                 let normal = end.rotation * normal;
                 // It is held nearby: pieces of strand are held at the place that is hit first, and from there.
-                let near = found.iter().filter(|touch| {
-                    let along = (f64::from(touch.place.element) - element as f64) * LENGTH + touch.place.s - s;
-                    touch.gap < 0.0 && along.abs() < 0.51 * LENGTH
+                let near = found.iter().filter(|contact| {
+                    let along = (f64::from(contact.point.element) - element as f64) * LENGTH + contact.point.s - s;
+                    contact.gap < 0.0 && along.abs() < 0.51 * LENGTH
                 });
-                let agreement = near.map(|touch| touch.normal.dot(&normal)).fold(f64::NEG_INFINITY, f64::max);
+                let agreement = near.map(|contact| contact.normal.dot(&normal)).fold(f64::NEG_INFINITY, f64::max);
                 assert!(agreement.is_finite(), "{name} {case}: element {element} at {s}, normal {normal}: {found:#?}");
                 sideways += usize::from(agreement < 0.0);
             }
@@ -229,17 +229,17 @@ fn a_deforming_sheet_takes_the_strand_along() {
     let shape = Shape::from(mesh);
     let body = BodyAt::new(7, &shape, Frame::default(), Frame::default(), 0.0);
     let moving = Moving::still(Vector3::new(-0.03, 0.0, 0.01), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0; 3]; 3]));
-    let found = moving.touches(RADIUS, &body, 1e-3);
-    let middle = found.iter().find(|touch| touch.place.element == 1 && touch.gap < -0.015);
+    let found = moving.contacts(RADIUS, &body, 1e-3);
+    let middle = found.iter().find(|contact| contact.point.element == 1 && contact.gap < -0.015);
     let middle = middle.unwrap_or_else(|| panic!("{found:#?}"));
     assert!(middle.normal.z > 0.9 && middle.carried.z > 0.02 && middle.carried.z < 0.0301, "{middle:?}");
-    assert!(found.iter().all(|touch| touch.normal.z > 0.0), "{found:#?}");
+    assert!(found.iter().all(|contact| contact.normal.z > 0.0), "{found:#?}");
 }
 
 /// A strand drawn round something convex passes through it on the straight path of a step. If it comes out on its own side it is
 /// not in it, and the plane at its entry must not push it out. If it comes out behind, it went through.
 #[test]
-fn a_strand_drawn_round_a_corner_is_not_in_it() {
+fn a_strand_pulled_round_a_corner_does_not_enter_it() {
     const ROUND: f64 = 0.015;
     let (vertices, triangles) = ball(ROUND, 4);
     let mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
@@ -257,10 +257,10 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
             let out = ROUND + RADIUS + 3e-4;
             let at = |angle: f64| out * Vector3::new(angle.sin(), 0.0, angle.cos()) - 0.5 * LENGTH * Vector3::y();
             let (from, to) = (at(-0.5 * turn), at(0.5 * turn));
-            let found = Moving::carried(from, to - from, straight.clone()).touches(RADIUS, &body, 1e-3);
-            assert_eq!(found.iter().any(|touch| touch.gap < 0.0), behind, "{name}, {turn} rad: {found:?}");
+            let found = Moving::carried(from, to - from, straight.clone()).contacts(RADIUS, &body, 1e-3);
+            assert_eq!(found.iter().any(|contact| contact.gap < 0.0), behind, "{name}, {turn} rad: {found:?}");
             // Its distance is reported all the same.
-            assert!(behind || found.iter().any(|touch| (touch.gap - 3e-4).abs() < 1e-4), "{name}, {turn} rad: {found:?}");
+            assert!(behind || found.iter().any(|contact| (contact.gap - 3e-4).abs() < 1e-4), "{name}, {turn} rad: {found:?}");
         }
     }
 }
@@ -268,7 +268,7 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
 /// Wherever a fast body's corner, edge or face ran into a strand: what is deep in it at the step's end is touched there, and from the side that it came
 /// from pushed out.
 #[test]
-fn no_piece_that_a_body_has_run_into_is_left_in_it() {
+fn no_piece_hit_by_a_body_is_left_in_it() {
     /// The spacing of sampled places, and the depth that counts as deep, m.
     const APART: f64 = 1e-4;
     const DEEP: f64 = 2e-4;
@@ -310,9 +310,9 @@ fn no_piece_that_a_body_has_run_into_is_left_in_it() {
         cases += 1;
         let body = BodyAt::new(7, &shape, start, end, 0.0);
         let found: Vec<(f64, f64)> = moving
-            .touches(RADIUS, &body, 0.0)
+            .contacts(RADIUS, &body, 0.0)
             .iter()
-            .map(|touch| (moving.path().now.along(touch.place.element as usize, touch.place.s), touch.gap))
+            .map(|contact| (moving.path().now.along(contact.point.element as usize, contact.point.s), contact.gap))
             .collect();
         // Pieces of the strand that are in the body: where, and how deep.
         let mut pieces: Vec<[f64; 3]> = Vec::new();

@@ -41,7 +41,7 @@ pub struct Outcome {
 }
 
 /// 100 g, m/s².
-const MOST_ACCELERATION: f64 = 981.0;
+const MAX_ACCELERATION: f64 = 981.0;
 
 /// An element that turns by this much, rad, has blown up: by Ωℓ = 100 rad it is curled, and by a quarter of an hour's spinning at most as
 /// much as it is held back.
@@ -84,7 +84,7 @@ fn stretch(draw: &mut Draw, integrator: Integrator) -> Stretch {
         0..=3 => Stretch::Quiet,
         4 | 5 => {
             let angular_frequency = std::f64::consts::TAU * draw.over(0.1, 50.0);
-            let amplitude = (draw.over(0.1, MOST_ACCELERATION) / angular_frequency.powi(2)).min(10.0);
+            let amplitude = (draw.over(0.1, MAX_ACCELERATION) / angular_frequency.powi(2)).min(10.0);
             Stretch::Shake { way: draw.direction() * amplitude, angular_frequency }
         }
         6 => Stretch::Spin(draw.direction() * (std::f64::consts::TAU * draw.over(0.1, 50.0))),

@@ -350,8 +350,8 @@ fn nonsense_is_refused_with_place_and_value() {
         other => panic!("{other:?}"),
     };
     for (bytes, said) in [
-        (&b"PXR-USDC\0\0"[..], "binary USD"),
-        (b"PK\x03\x04", "archive"),
+        (&b"PXR-USDC\0\0"[..], "binary USD file: make it text first (python -m superhelix.usd convert groom.usdc groom.usda"),
+        (b"PK\x03\x04", "archive (.usdz?): make it text first (python -m superhelix.usd convert groom.usdz groom.usda"),
         (b"Ogawa\xff", "Alembic"),
         (b"\x89HDF\r\n", "HDF5"),
         (b"usda", "#usda 1."),

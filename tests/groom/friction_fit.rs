@@ -137,7 +137,7 @@ fn the_standard_error_is_what_noise_does_to_the_coefficient() {
 }
 
 #[test]
-fn curves_that_say_nothing_are_told_from_those_that_do() {
+fn curves_without_information_are_told_from_those_with_some() {
     // A straight strand that is shaken along itself does not change its span.
     let straight = case("straight_shaken_05.csv");
     let found = fit(&straight, &FrictionFitOptions::of(&[InternalFriction])).coefficients[0];
@@ -219,7 +219,7 @@ fn a_marker_beside_the_tip_is_fitted_as_an_offset() {
 }
 
 #[test]
-fn threads_and_the_way_to_say_where_it_starts_do_not_matter() {
+fn the_result_depends_neither_on_threads_nor_on_how_the_start_is_given() {
     let mut case = case("curl_shaken_viscous_05.csv");
     let mut options = FrictionFitOptions::of(&[Viscosity]);
     (options.grid_points, options.time_step) = (5, 1.0 / 240.0);

@@ -384,7 +384,7 @@ fn cuts_keep_the_shape_and_growth_goes_on() {
 }
 
 #[test]
-fn mirrored_strands_wind_the_other_way_and_back() {
+fn mirrored_strands_wind_the_other_way_and_twice_mirrored_ones_as_before() {
     let mut noise = Noise(11);
     let (point, normal) = (noise.vector(), 3.0 * noise.vector());
     let plane = Plane::new(point, normal).unwrap();

@@ -105,7 +105,7 @@ fn the_order_of_depth_is_kept_and_what_is_far_is_left_alone() {
 }
 
 #[test]
-fn the_bits_do_not_depend_on_who_works_nor_on_the_parts() {
+fn the_bits_depend_neither_on_threads_nor_on_batches() {
     let (guides, shape) = (sintel(), head());
     let roots = roots_among(&guides, 16, 700);
     let bodies = [RenderBody::new(&shape, Frame::default())];

@@ -327,7 +327,7 @@ fn velocities_are_those_of_the_motion() {
 }
 
 #[test]
-fn the_bits_do_not_depend_on_who_works_nor_on_the_parts_nor_on_the_machine() {
+fn the_bits_depend_neither_on_threads_nor_on_batches_nor_on_the_machine() {
     let guides = sintel();
     let roots = roots_among(&guides, 16, 1000);
     for space in [Space::Position, Space::Curvature] {
@@ -371,7 +371,7 @@ fn from_polyline(point: &Vector3<f64>, line: &[Vector3<f64>]) -> f64 {
 }
 
 #[test]
-fn strands_are_cut_short_by_seeded_shares_and_stay_on_their_way() {
+fn strands_are_shortened_by_seeded_fractions_and_stay_on_their_path() {
     let guides = sintel();
     let roots = roots_among(&guides, 16, 600);
     let shift = Vector3::new(0.4, -0.3, 0.2);

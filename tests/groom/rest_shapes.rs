@@ -140,7 +140,7 @@ fn the_stiffening_of_an_upright_strand_is_greenhills() {
 }
 
 #[test]
-fn what_is_called_unstable_falls_at_a_touch_and_what_is_called_stable_does_not() {
+fn strands_called_unstable_fall_at_a_touch_and_strands_called_stable_do_not() {
     for (share, stands) in [(0.9, true), (1.1, false)] {
         let mut def = upright(share * GREENHILL, 20);
         def.material.internal_friction = 1e-9;

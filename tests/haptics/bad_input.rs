@@ -38,7 +38,7 @@ fn options_out_of_range_are_named() {
         ("max_acceleration", |o, x| o.max_acceleration = x, &[-1.0]),
         ("max_angular_acceleration", |o, x| o.max_angular_acceleration = x, &[f64::NAN]),
         ("max_age", |o, x| o.max_age = x, &[0.0]),
-        ("max_touches", |o, x| o.max_touches = x as u32, &[0.0, 4097.0]),
+        ("max_contacts", |o, x| o.max_contacts = x as u32, &[0.0, 4097.0]),
         ("max_sweeps", |o, x| o.max_sweeps = x as u32, &[0.0, 1001.0]),
     ];
     for (name, change, values) in changes {
@@ -87,7 +87,7 @@ fn a_removed_body_stops_the_simulations_side_and_an_invalid_pose_the_devices() {
 fn compliance_needs_valid_numbers() {
     let (solver, teeth) = combed_hair(2, 0.0);
     let mut out = Default::default();
-    assert_eq!(named(solver.touch_compliance(&teeth, 0.0, 1e-3, &mut out)), "seconds");
-    assert_eq!(named(solver.touch_compliance(&teeth, 1e-2, f64::NAN, &mut out)), "within");
-    assert_eq!(named(solver.touch_compliance(&[teeth[0], BodyId::from_bits(3)], 1e-2, 1e-3, &mut out)), "bodies[1]");
+    assert_eq!(named(solver.contact_compliance(&teeth, 0.0, 1e-3, &mut out)), "seconds");
+    assert_eq!(named(solver.contact_compliance(&teeth, 1e-2, f64::NAN, &mut out)), "within");
+    assert_eq!(named(solver.contact_compliance(&[teeth[0], BodyId::from_bits(3)], 1e-2, 1e-3, &mut out)), "bodies[1]");
 }

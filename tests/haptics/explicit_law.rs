@@ -12,7 +12,7 @@ fn explicit() -> HapticOptions {
 }
 
 #[test]
-fn a_resistance_is_the_sum_of_the_formula_at_each_touch() {
+fn a_resistance_is_the_sum_of_the_formula_over_contacts() {
     let mut numbers = Numbers(7);
     let mut vector = |size: f64| Vector3::from_fn(|_, _| numbers.between(-size, size));
     let (velocity, spin) = (vector(0.2), vector(2.0));
@@ -23,9 +23,9 @@ fn a_resistance_is_the_sum_of_the_formula_at_each_touch() {
         let (beta, f) = (1e-5 * f64::from(k + 1), 3e-6 * f64::from(k));
         resistance.add(&tangent, &arm, beta, f);
         // F = β ṫ⊥ + f ṫ∥, with the velocity of the tool's point.
-        let at_touch: Vector3<f64> = velocity + spin.cross(&arm);
-        let along = tangent * tangent.dot(&at_touch);
-        let on_strand = (at_touch - along) * beta + along * f;
+        let at_contact: Vector3<f64> = velocity + spin.cross(&arm);
+        let along = tangent * tangent.dot(&at_contact);
+        let on_strand = (at_contact - along) * beta + along * f;
         force -= on_strand;
         torque -= arm.cross(&on_strand);
     }
@@ -82,7 +82,7 @@ fn what_the_hand_feels_is_the_formula_at_the_solvers_contacts() {
 }
 
 #[test]
-fn it_works_against_every_motion_and_is_nothing_at_rest() {
+fn it_resists_every_motion_and_vanishes_at_rest() {
     let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, Rate::new(120.0, 4e-3), &explicit());
     let last = felt.last().unwrap().1;
     // At a turn of the hand, while a hand-over goes from one force to the next, some of it drives.
@@ -98,7 +98,7 @@ fn it_works_against_every_motion_and_is_nothing_at_rest() {
 }
 
 #[test]
-fn it_has_the_sign_and_the_place_of_the_exact_law_and_not_its_size() {
+fn it_has_the_sign_and_the_position_of_the_exact_law_but_not_its_size() {
     let mean = |options: &HapticOptions| {
         let felt = handed_over(combed_hair(40, 15.0), stroke, 1.2, Rate::new(120.0, 4e-3), options);
         let drag = felt.iter().skip(400).map(|felt| felt.0.force.z).sum::<f64>() / (felt.len() - 400) as f64;
@@ -109,7 +109,7 @@ fn it_has_the_sign_and_the_place_of_the_exact_law_and_not_its_size() {
     let (cheap, cheap_from) = mean(&explicit());
     println!("exact {exact:e} N from {from:?}, explicit {cheap:e} from {cheap_from:?}");
     assert!(exact > 0.0 && cheap > 0.0);
-    // Felt only once a step has seen the touch: up to two steps later.
+    // Felt only once a step has seen the contact: up to two steps later.
     assert!((cheap_from.unwrap() - from.unwrap()).abs() < 0.03);
 }
 

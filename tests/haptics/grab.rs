@@ -64,9 +64,9 @@ fn stick_slip_and_leave_make_no_step_beyond_the_stated_one() {
             let jump = (wrench.force - before).norm();
             assert!(jump <= options.max_force_rate * TICK * (1.0 + 1e-9), "{mode:?} {tick}: {jump:e}");
             limited += u32::from(state.rate_limited);
-            let touches = state.contact.force != Vector3::zeros();
-            events += u32::from(touches != touched);
-            (before, touched) = (wrench.force, touches);
+            let contacts = state.contact.force != Vector3::zeros();
+            events += u32::from(contacts != touched);
+            (before, touched) = (wrench.force, contacts);
         }
         assert!(limited > 10 && events >= 2, "{mode:?}: {limited} {events}");
         assert!(before.norm() < 1e-12, "{mode:?}: {before}");

@@ -10,6 +10,7 @@ mod heavy_hair;
 mod limits;
 mod no_allocation;
 mod passivity;
+mod ring_combs;
 mod scene;
 mod triple_buffer;
 mod typed_hair;

@@ -48,8 +48,8 @@ fn allocations_so_far() -> u64 {
 #[test]
 fn an_update_allocates_nothing() {
     // Fewer touches than there are, too: some are left out.
-    for max_touches in [256, 8] {
-        let options = HapticOptions { max_touches, ..HapticOptions::default() };
+    for max_contacts in [256, 8] {
+        let options = HapticOptions { max_contacts, ..HapticOptions::default() };
         let (mut simulation, mut device) = Simulation::new(combed_hair(40, 15.0), Rate::new(120.0, 0.0), &options);
         let before = allocations_so_far();
         let (mut most, mut pressing, mut models) = (0, 0, 0);
@@ -109,14 +109,14 @@ fn most_direct_ticks_allocate_nothing() {
             tool.before_step(&mut solver, TICK).unwrap();
             let report = solver.step(TICK, 1).unwrap();
             tool.after_step(&mut solver).unwrap();
-            pressed = pressed.max(report.contact.touches);
+            pressed = pressed.max(report.contact.contacts);
             // (Going back the comb sweeps through all of the hair.)
             if tick > 2 {
                 *counted += u32::from(allocations_so_far() > before);
             }
         }
     }
-    println!("of 1400 ticks each {counted:?} allocate, {pressed} touches pressed at once at most");
+    println!("of 1400 ticks each {counted:?} allocate, {pressed} contacts under pressure at once at most");
     // Those do in which a pack or a list meets more strands, or strands that are bent more, than ever before.
     assert!(pressed > 4 && counted[0] > 10 && counted[1..].iter().all(|ticks| *ticks < 140), "{pressed} {counted:?}");
 }

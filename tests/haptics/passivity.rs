@@ -77,7 +77,7 @@ fn stroke_against_late_wall(seed: u64, options: &HapticOptions, is_limited: bool
 }
 
 #[test]
-fn no_hand_gets_more_than_it_gave_and_the_allowance() {
+fn no_hand_gets_more_energy_than_it_gave_plus_the_allowance() {
     let strokes: u64 = std::env::var("SUPERHELIX_STROKES").map_or(5000, |text| text.parse().unwrap());
     let options = HapticOptions::default();
     let (mut most, mut most_without, mut over_without) = (0.0_f64, 0.0_f64, 0);

@@ -41,7 +41,7 @@ fn messages_are_whole_and_in_order() {
 }
 
 #[test]
-fn the_newest_message_replaces_those_that_nobody_took() {
+fn the_newest_message_replaces_unread_ones() {
     let (mut publisher, mut taker) = exchange(2);
     for message in 1..=5 {
         publisher.publish(|writer| writer.numbers(&[f64::from(message), -1.0]));

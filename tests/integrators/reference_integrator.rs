@@ -9,7 +9,7 @@ use superhelix::internals::rod::kinematics::Kinematics;
 use superhelix::internals::rod::strand::StrandModel;
 use superhelix::internals::step;
 use superhelix::internals::step::members::One;
-use superhelix::internals::step::scratch::Scratch;
+use superhelix::internals::step::scratch::StepScratch;
 use superhelix::internals::step::state::{StrandState, rotation_matrix};
 use superhelix::internals::step::{Setting, Surroundings};
 use superhelix::{
@@ -50,7 +50,7 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
     let surroundings = Surroundings { gravity: Vector3::new(0.0, 0.0, -9.81).into(), wind: Vector3::zeros().into() };
     let options = options(tolerance);
     let setting = Setting { surroundings: &surroundings, options: &options, rules: &rules };
-    let mut scratch = Scratch::default();
+    let mut scratch = StepScratch::default();
     let mut kinematics = Kinematics::default();
     let (mut tips, mut iterations) = (Vec::new(), 0);
     let mut t = 0.0;
@@ -310,10 +310,10 @@ fn a_tolerance_out_of_range_is_named() {
     }
 }
 
-/// It has no step for strands that touch or are held, and says so in place of taking another integrator's; what could touch and is not
+/// It has no step for strands that are in contact or constrained, and says so in place of taking another integrator's; what could touch and is not
 /// to, a body without strands for it or hair without wisps, is no reason.
 #[test]
-fn held_strands_are_refused_and_nothing_is_changed() {
+fn constrained_strands_are_refused_and_nothing_is_changed() {
     let refused = |arrange: &dyn Fn(&mut Solver, StrandId), by: &str| {
         let mut solver = solver(1e-6);
         let id = solver.add_strands(&[hair(1)]).unwrap()[0];

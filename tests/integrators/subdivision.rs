@@ -56,7 +56,7 @@ fn a_step_that_does_not_converge_does_so_in_substeps() {
     };
     let (whole, none) = run(0);
     let (parts, subdivided) = run(4);
-    println!("of 60 steps {whole} do not converge within 8 iterations; in parts {parts} ({subdivided} taken so)");
+    println!("of 60 steps {whole} do not converge within 8 iterations; in substeps {parts} ({subdivided} subdivided)");
     assert_eq!(none, 0);
     assert!(whole >= 5, "the test is too easy");
     assert_eq!(parts, 0);
@@ -64,7 +64,7 @@ fn a_step_that_does_not_converge_does_so_in_substeps() {
 }
 
 #[test]
-fn only_the_strand_that_needs_parts_takes_them_whatever_the_threads() {
+fn only_strands_that_need_substeps_take_them_with_any_number_of_threads() {
     let run = |others: usize, workers: Workers| {
         let mut options = SolverOptions { workers, ..SolverOptions::default() };
         (options.step.max_iterations, options.step.error_tolerance) = (8, 1e-3);
@@ -127,7 +127,7 @@ fn a_smaller_error_tolerance_brings_a_smaller_error_at_the_same_frames() {
         for tolerance in tolerances {
             let (error, told, subdivided) = with_error_tolerance(&case, integrator, tolerance);
             println!(
-                "{integrator:?}, {tolerance:e} L a step: error {error:.2e} L, told {told:.1e} L, {subdivided} of 30 steps in parts"
+                "{integrator:?}, {tolerance:e} L a step: error {error:.2e} L, reported {told:.1e} L, {subdivided} of 30 steps in substeps"
             );
             assert_eq!(told > 0.0, tolerance > 0.0);
             // Ten halvings are enough for the second order here, and for the first down to 1e-5 too.
@@ -156,14 +156,14 @@ fn the_reported_error_of_a_step_falls_with_its_cube() {
         (0..steps).map(|_| solver.step(h, 1).unwrap().max_error).last().unwrap()
     };
     let (one, half, quarter) = (told(1e-3), told(5e-4), told(2.5e-4));
-    println!("told after 0.1 s: {one:.2e}, {half:.2e}, {quarter:.2e}");
+    println!("reported after 0.1 s: {one:.2e}, {half:.2e}, {quarter:.2e}");
     for ratio in [one / half, half / quarter] {
         assert!((6.0..10.0).contains(&ratio), "{ratio}");
     }
 }
 
 #[test]
-fn a_snapshot_in_the_middle_of_parts_goes_on_to_the_same_bits() {
+fn a_snapshot_in_the_middle_of_substeps_goes_on_to_the_same_bits() {
     let mut options = SolverOptions::default();
     (options.step.max_iterations, options.step.error_tolerance) = (8, 1e-3);
     let mut solver = Solver::new(options).unwrap();

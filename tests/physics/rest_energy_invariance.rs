@@ -283,7 +283,7 @@ fn substeps_of_a_moving_root_follow_a_smooth_path() {
 }
 
 #[test]
-fn dense_and_linear_time_solvers_take_the_same_way() {
+fn dense_and_linear_time_solvers_take_the_same_path() {
     let mut def = StrandDef::straight(0.15, 6);
     def.natural = vec![[10.0, 40.0, 0.0]; 6];
     def.material = Material { radius: [50e-6, 40e-6], internal_friction: 1e-10, air_drag: 1e-5, ..Material::default() };

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::reading::{Change, ContactEvent, MOST_EVENTS};
+use superhelix::reading::{Change, ContactEvent, MAX_EVENTS};
 use superhelix::{
     BodyDef, BodyId, ContactPartner, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, Workers,
 };
@@ -111,7 +111,7 @@ fn events_do_not_depend_on_threads_and_cost_no_result() {
 }
 
 #[test]
-fn what_has_no_room_is_counted_and_the_oldest_come_first() {
+fn events_without_room_are_counted_and_the_oldest_come_first() {
     let all = {
         let (mut solver, _, ball) = scene(Workers::Serial);
         solver.keep_contact_events(1000).unwrap();
@@ -131,7 +131,7 @@ fn what_has_no_room_is_counted_and_the_oldest_come_first() {
     // (Identifiers are each solver's own.)
     let place = |event: &ContactEvent| (event.change, event.element, event.contact.arclength, event.contact.force);
     assert_eq!(some.iter().map(place).collect::<Vec<_>>(), all[..3].iter().map(place).collect::<Vec<_>>());
-    assert!(solver.keep_contact_events(MOST_EVENTS + 1).is_err());
+    assert!(solver.keep_contact_events(MAX_EVENTS + 1).is_err());
     // Removal causes no end event; contacts restored by a snapshot begin again.
     let image = solver.snapshot();
     solver.remove_bodies(&[ball]).unwrap();

@@ -109,7 +109,7 @@ fn contacts_and_constraints_come_with_their_forces() {
 }
 
 #[test]
-fn coupled_strands_share_a_colour() {
+fn coupled_strands_have_one_colour() {
     let (solver, _) = scene(Workers::Serial);
     let drawn = draw(&solver, &[DebugLayer::Islands, DebugLayer::Centrelines]);
     assert_eq!(drawn.lines.len(), 100 * 16 * 2);

@@ -49,7 +49,7 @@ fn a_frozen_groom_keeps_its_shape() {
 
 /// Woken and left alone it stands as it stood, to 1e-7 of its length.
 #[test]
-fn awake_and_untouched_it_stands() {
+fn awake_and_without_contact_it_stands() {
     let (mut solver, ids) = row(6, LENGTH, &WAVY);
     // Not at rest: blown aside, frozen in the middle of it.
     solver.set_wind(Vector3::new(0.5, 0.2, 0.0)).unwrap();
@@ -79,7 +79,7 @@ fn finger(x: f64) -> BodyDef {
 
 /// A finger wakes the strands that it approaches, one after the other, before contact, however far it moves in a step; the others stay asleep.
 #[test]
-fn touch_wakes() {
+fn a_contact_wakes() {
     for speed in [0.1, 0.5, 3.0] {
         let (mut solver, ids) = row(6, LENGTH, &WAVY);
         solver.freeze_strands(&ids).unwrap();
@@ -148,7 +148,7 @@ fn what_lies_there_does_not_wake_it() {
 
 /// A snapshot has them: restored, they sleep, and go on by the same bits.
 #[test]
-fn snapshots_keep_them() {
+fn snapshots_keep_frozen_strands() {
     let (mut solver, ids) = row(4, LENGTH, &WAVY);
     let body = solver.add_bodies(vec![finger(-0.03)]).unwrap();
     solver.freeze_strands(&ids).unwrap();
@@ -194,7 +194,7 @@ fn a_constraint_wakes() {
 
 /// A thousand frozen strands on a head cost less than a fiftieth of the same awake.
 #[test]
-fn they_cost_next_to_nothing() {
+fn frozen_strands_cost_next_to_nothing() {
     let (mut solver, _) = row(0, LENGTH, &WAVY);
     let defs: Vec<_> = (0..1000)
         .map(|k| {
@@ -218,6 +218,6 @@ fn they_cost_next_to_nothing() {
     solver.freeze_strands(&ids).unwrap();
     for _ in 0..10 {
         let report = solver.step(STEP, 1).unwrap();
-        assert_eq!((report.mean_iterations, report.work, report.contact.touches), (0.0, 0, 0), "frozen: {report:?}");
+        assert_eq!((report.mean_iterations, report.work, report.contact.contacts), (0.0, 0, 0), "frozen: {report:?}");
     }
 }

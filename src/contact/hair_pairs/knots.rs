@@ -1,21 +1,22 @@
-//! Where ties hold strands together hair gives way to hair: a knot has no room for wisps of their full radii, which would be pushed apart
-//! where the tie draws them together. Beside a knot the wisps are as if gathered, and have their radii again some way from it.
+//! Knots: where ties hold strands together their wisps give way to each other. A knot has no room for wisps of their full
+//! radii, which would push apart what the tie pulls together. Beside a knot the wisps are as if gathered, and regain their
+//! radii some distance from it.
 
 use crate::error::{Error, Result, check_not_negative};
 
 /// Two material points that are held together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tie {
-    /// Indices of the strands among the wisps; twice the same where a strand is tied to itself.
+    /// Indices of the strands among the wisps; equal if a strand is tied to itself.
     pub strands: [u32; 2],
     /// Arclength of the points from the roots, m, zero or above.
     pub along: [f64; 2],
 }
 
-/// Two strands lie against each other with their full radii from so many times the sum of these on, along both, from the knot; of many in a
-/// knot from where their bundle, which thickens with the root of their number, goes as steeply.
+/// Two strands have their full radii from this many times their sum on, along both, from the knot; in a knot of many strands
+/// the distance grows with the radius of the bundle, the square root of their number.
 const GATHERED: f64 = 4.0;
-/// And do not touch nearer than so many times the sum.
+/// They are not in contact closer than this many times the sum.
 const TIED: f64 = 1.0;
 
 /// A point of a knot.
@@ -24,25 +25,26 @@ struct Point {
     strand: u32,
     along: f64,
     knot: u32,
-    /// How far the knot is felt, in units of the sum of the radii.
+    /// The range of the knot, in units of the sum of the radii.
     reach: f64,
 }
 
-/// The knots that ties make: ties that share a point of a strand make one.
+/// The knots made by ties: ties that share a point of a strand make one.
 #[derive(Debug, Default)]
 pub(super) struct Knots {
     /// By strand, then arclength.
     points: Vec<Point>,
-    /// For each knot, while they are put together, one with which it is one.
+    /// For each knot, while they are formed, one that it is joined with.
     leader: Vec<u32>,
     members: Vec<u32>,
 }
 
 impl Knots {
-    /// Replaces all knots. `reach`: two points of a strand not farther than this from each other are of one knot, m.
+    /// Replaces all knots. `reach`: two points of a strand closer than this to each other are in one knot, m.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a strand that there is not, or an arclength that is negative or not finite; nothing is changed then.
+    /// [`Error::InvalidArgument`] for a nonexistent strand, or an arclength that is negative or not finite; nothing is changed
+    /// then.
     pub fn set(&mut self, ties: &[Tie], strands: usize, reach: impl Fn(u32) -> f64) -> Result<()> {
         for (index, tie) in ties.iter().enumerate() {
             for end in 0..2 {
@@ -68,7 +70,7 @@ impl Knots {
                 self.leader[a.max(b) as usize] = a.min(b);
             }
         }
-        // How many points each has; those of one place on a strand are one.
+        // The number of points of each; points of one place on a strand count once.
         let Self { points, leader, members } = self;
         members.clear();
         members.resize(ties.len(), 0);
@@ -94,13 +96,13 @@ impl Knots {
         &self.points[from..to]
     }
 
-    /// What is left of the sum of the radii, `radii` (m), where points at these arclengths of two strands touch: 1 away from knots of theirs,
-    /// less beside one, and none at all next to it.
-    pub fn share_left(&self, strands: [u32; 2], along: [f64; 2], radii: f64) -> Option<f64> {
+    /// What is left of the sum of the radii, `radii` (m), where points at these arclengths of two strands meet: 1 away from
+    /// their knots, less beside one; `None` next to it.
+    pub fn fraction_left(&self, strands: [u32; 2], along: [f64; 2], radii: f64) -> Option<f64> {
         let mut left = 1.0_f64;
         for a in self.of(strands[0]) {
             for b in self.of(strands[1]).iter().filter(|b| b.knot == a.knot) {
-                // Both must be near it: another part of a strand that comes by is kept off as everywhere.
+                // Both must be near it: another part of a strand that comes by is kept out as everywhere.
                 let off = (along[0] - a.along).abs().max((along[1] - b.along).abs());
                 if off <= TIED * radii {
                     return None;
@@ -133,9 +135,9 @@ mod tests {
         let mut knots = Knots::default();
         let ties = [tie(0, 1, [0.1, 0.1]), tie(2, 1, [0.08, 0.1005]), tie(3, 1, [0.05, 0.02])];
         knots.set(&ties, 5, |_| 1e-3).unwrap();
-        let left = |a, b, along| knots.share_left([a, b], along, 2e-3);
+        let left = |a, b, along| knots.fraction_left([a, b], along, 2e-3);
         let three = 1.5_f64.sqrt();
-        // In the knot of 0, 1 and 2, whichever way round; half way out of it; and away from it along either strand.
+        // In the knot of 0, 1 and 2, in either order; halfway out of it; and away from it along either strand.
         assert_eq!(left(0, 2, [0.1, 0.08]), None);
         assert_eq!(left(2, 0, [0.0801, 0.1015]), None);
         assert!((left(0, 1, [0.096, 0.1001]).unwrap() - 0.5 / three).abs() < 1e-9);
@@ -160,7 +162,7 @@ mod tests {
         ] {
             let error = knots.set(&[tie(0, 1, [0.0, 0.0]), bad], 2, |_| 1e-3).unwrap_err().to_string();
             assert!(error.contains(named), "{error}");
-            assert_eq!(knots.share_left([0, 1], [0.1, 0.1], 1e-3), None);
+            assert_eq!(knots.fraction_left([0, 1], [0.1, 0.1], 1e-3), None);
         }
     }
 }

@@ -1,12 +1,12 @@
-//! What the search for pairs keeps from step to step, taken out and put back, for images of a scene: where strands are cut and which
-//! pieces are looked at acts on the last digits of what is found.
+//! What the search for pairs keeps from step to step, saved and restored for snapshots: the pieces of strands and the
+//! candidates affect the last digits of what is found.
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::{HairPairs, Root};
 use crate::contact::pieces::{Piece, Wisp};
 
-/// The memory of a search whose pairs are still good.
+/// The memory of a search whose pairs are still valid.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct PairMemory {
     pub activation: f64,
@@ -24,7 +24,7 @@ pub(crate) struct PairMemory {
 }
 
 impl HairPairs {
-    /// Its memory; none where the next look searches anyhow.
+    /// Its memory; `None` if the next update searches anyhow.
     pub(crate) fn memory(&self) -> Option<PairMemory> {
         self.valid.then(|| PairMemory {
             activation: self.activation,
@@ -38,8 +38,8 @@ impl HairPairs {
         })
     }
 
-    /// Takes up where `memory` was taken; a step begins. False, and nothing is done, where its parts do not belong together.
-    /// `elements[k]`: the lengths of the elements of the kth strand.
+    /// Restores a memory; a step begins. False, with nothing changed, if its contents are inconsistent. `elements[k]`: the
+    /// lengths of the elements of the kth strand.
     pub(crate) fn take_up(&mut self, memory: PairMemory, elements: &[&[f64]]) -> bool {
         if !memory.is_whole(elements) {
             return false;

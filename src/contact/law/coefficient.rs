@@ -29,7 +29,7 @@ impl Coefficient {
         Self { mean: 0.5 * (along + against), lean: tangent * (0.5 * (against - along)) }
     }
 
-    /// Of two hairs on each other: the mean of both, each told as the first strand of a touch.
+    /// Of two hairs on each other: the mean of both, each given as the first strand of a contact.
     pub fn of_two(first: Self, second: Self) -> Self {
         Self { mean: 0.5 * (first.mean + second.mean), lean: (first.lean - second.lean) * 0.5 }
     }

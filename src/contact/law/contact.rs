@@ -1,4 +1,4 @@
-//! Contact with friction: its exact solve for one touch.
+//! Contact with friction: its exact solve for one contact.
 //!
 //! In the frame of the normal and the two tangents along which W's tangential part is diagonal, sliding with friction opposite to it is
 //! u_T = −α λ_T for some α ≥ 0, so λ_T = −(W_TT + α)⁻¹ (b_T + W_TN λ_N), and λ_N follows from the normal response. α = 0 is sticking, α = ∞
@@ -16,23 +16,25 @@ use super::secular;
 use super::{across, check_unit, diagonalising};
 use crate::error::Result;
 
-/// What a contact does along its surface.
+/// Friction of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Friction {
     /// Nothing.
     None,
-    /// Coulomb's: no sliding with |λ_T| ≤ μ λ_N, or sliding with |λ_T| = μ λ_N straight against it. Where μ depends on the direction, a
-    /// contact at rest holds what it would hold if it slid the way it is drawn.
+    /// Coulomb: no sliding with |λ_T| ≤ μ λ_N, or sliding with |λ_T| = μ λ_N opposite to it. Where μ depends on the direction,
+    /// a contact at rest bears what it would bear if it slid the way it is pulled.
     Coulomb(Coefficient),
-    /// Proportional to the sliding velocity, λ_T = −c u_T/h (the papers'), whatever the normal force is. Which touches rub is for the one
-    /// to say who gives the law: a touch that presses when the problem is made, [`Friction::None`] for the others.
+    /// Proportional to the sliding velocity, λ_T = −c u_T/h (Bertails et al. 2006), whatever the normal force. Whoever gives
+    /// the law decides which contacts have it: those under pressure when the problem is made, with [`Friction::None`] for the
+    /// others.
     Viscous(Coefficient),
 }
 
 /// Two surfaces that may part but not pass through each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// Unit normal, world axes, from the partner to the first strand. `u`'s part along it is the gap at the step's end.
+    /// Unit normal, world axes, from the partner to the first strand. The component of `u` along it is the gap at the step's
+    /// end.
     pub normal: Vector3<f64>,
     /// Normal response.
     pub response: Response,
@@ -58,8 +60,8 @@ impl Contact {
         let (u_n, lambda_n) = (u.dot(&self.normal), lambda.dot(&self.normal));
         let depth = self.response.depth(step);
         let gap = u_n + depth.at(lambda_n.max(0.0));
-        // By the force or by the depth, whichever is nearer: a soft spring's depth is not to be had from a force of a rounding, nor a hard
-        // one's force from a depth.
+        // By the force or by the depth, whichever is nearer: the depth of a soft spring cannot be had from a force of a
+        // rounding, nor the force of a hard one from a depth.
         let by_force = (lambda_n - depth.pressed(-u_n)).abs() / force;
         let normal = (lambda_n / force).min(gap / length).abs().min(by_force);
         let u_t = u - self.normal * u_n;
@@ -103,7 +105,7 @@ pub struct ContactSolve {
     normal: f64,
     tangent: [f64; 2],
     coupling: [f64; 2],
-    /// An α that is as good as zero: it moves a sticking contact by a rounding error of W λ.
+    /// An α that counts as zero: it moves a sticking contact by a rounding error of W λ.
     least: f64,
     /// Where the last search ended.
     guess: f64,
@@ -155,12 +157,12 @@ impl ContactSolve {
 
     /// See [`super::LawSolve::solve`]; `last`: see [`secular`].
     #[inline(always)]
-    pub(super) fn solve(&mut self, free: Vector3<f64>, last: f64) -> Vector3<f64> {
+    pub(super) fn solve(&mut self, unconstrained: Vector3<f64>, last: f64) -> Vector3<f64> {
         if self.least == f64::MIN_POSITIVE {
             // Nothing moves here, whatever the force.
             return Vector3::zeros();
         }
-        let b = self.frame * free;
+        let b = self.frame * unconstrained;
         let b = [b.x + self.depth.shift, b.y, b.z];
         let local = match self.friction {
             Local::None => {
@@ -219,11 +221,11 @@ impl ContactSolve {
         self.guess = alpha;
         let f = self.forces(b, mobility(alpha));
         let normal = f.normal.max(0.0);
-        // The size from the law, so that it holds to rounding: the root says only which way.
+        // The size is from the law, so that it holds to rounding; the root only gives the direction.
         let [mut x, mut y] = f.tangent;
         let mut size = (x * x + y * y).sqrt();
         if size == 0.0 {
-            // α beyond all numbers, μ next to nothing: straight against the sliding.
+            // α beyond all numbers, μ next to nothing: opposite to the sliding.
             (x, y) = (-(b[1] + self.coupling[0] * normal), -(b[2] + self.coupling[1] * normal));
             size = (x * x + y * y).sqrt();
             if size == 0.0 {
@@ -243,7 +245,7 @@ impl ContactSolve {
             let v = mobility(c);
             if pressed { self.forces(b, v) } else { Forces { normal: 0.0, tangent: [-b[1] * v[0], -b[2] * v[1]], slope: 0.0 } }
         };
-        // The coefficient for the way the contact slides under coefficient c.
+        // The coefficient in the direction in which the contact slides under coefficient c.
         let asked = |c: f64, pressed: bool| {
             let normal = forces(c, pressed).normal;
             let x = (b[1] + self.coupling[0] * normal) / (1.0 + c * self.tangent[0]);

@@ -1,11 +1,11 @@
-//! The normal response: how deep a contact's surfaces go into each other under a normal force.
+//! The normal response: the depth of a contact under a normal force.
 
 use std::fmt::Display;
 
 use crate::error::{Result, check_not_negative, check_positive};
 
-/// How a contact answers in its normal direction. With depth d (m, minus the gap at the step's end) and force F (N): F ≥ 0, and d is at
-/// most what F makes it, exactly that where F > 0.
+/// The normal response of a contact. With depth d (m, minus the gap at the step's end) and force F (N): F ≥ 0, and d is at most
+/// the depth under F, exactly that where F > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Response {
     /// No depth at any force: 0 ≤ gap ⟂ F ≥ 0.
@@ -19,7 +19,7 @@ pub enum Response {
         /// d₀, the depth at the step's start, m; zero where the surfaces were apart.
         depth_at_start: f64,
     },
-    /// Document 004's regularised spring (section 4.2.10): F = k d²/(2 d_reg) up to d_reg, k (d − d_reg/2) beyond.
+    /// The regularised spring of Bergbom (2007, section 4.2.10): F = k d²/(2 d_reg) up to d_reg, k (d − d_reg/2) beyond.
     Regularised {
         /// k, N/m, above zero.
         stiffness: f64,
@@ -68,14 +68,14 @@ impl Response {
 }
 
 impl Depth {
-    /// The depth under the force F ≥ 0, m, the shift with it.
+    /// The depth under the force F ≥ 0, m, including the shift.
     pub(super) fn at(&self, force: f64) -> f64 {
         let straight = self.compliance * force;
         let bent = if straight < 0.5 * self.curve { (2.0 * self.curve * straight).sqrt() } else { straight + 0.5 * self.curve };
         self.shift + bent
     }
 
-    /// The force that a depth asks for, N; infinite for a hard contact.
+    /// The force at a depth, N; infinite for a hard contact.
     pub(super) fn pressed(&self, depth: f64) -> f64 {
         let depth = depth - self.shift;
         if self.compliance == 0.0 {
@@ -89,12 +89,12 @@ impl Depth {
         }
     }
 
-    /// m/N, of a response that is straight.
+    /// m/N, of a linear response.
     pub(super) fn compliance(&self) -> f64 {
         self.compliance
     }
 
-    /// Slope of the force that a depth asks for, N/m; zero where nothing presses, infinite for a hard contact.
+    /// Slope of the force over the depth, N/m; zero where nothing presses, infinite for a hard contact.
     pub(super) fn stiffness(&self, depth: f64) -> f64 {
         let depth = depth - self.shift;
         if depth <= 0.0 {
@@ -106,8 +106,8 @@ impl Depth {
         }
     }
 
-    /// The force F with D F + depth(F) − shift = `drive`, and the slope of the left side there. A drive of zero or below gives what a linear
-    /// spring would (a force of zero or below): it tells a search on which side it is.
+    /// The force F with D F + depth(F) − shift = `drive`, and the slope of the left side there. A drive of zero or below gives
+    /// what a linear spring would (a force of zero or below), which shows a search on which side it is.
     #[inline(always)]
     pub(super) fn force(&self, d: f64, drive: f64) -> (f64, f64) {
         if self.curve == 0.0 {

@@ -45,7 +45,7 @@ pub struct RingSolve {
     tangent: Vector3<f64>,
     /// Across the tangent, along the axes in which W is diagonal there.
     sides: [Vector3<f64>; 2],
-    /// Per side: force per free displacement (N/m), and force per force along the tangent.
+    /// Per side: force per unconstrained displacement (N/m), and force per force along the tangent.
     stiffness: [f64; 2],
     carried: [f64; 2],
     /// S, m/N.
@@ -81,12 +81,12 @@ impl RingSolve {
 
     /// See [`super::LawSolve::solve`].
     #[inline(always)]
-    pub(super) fn solve(&self, free: Vector3<f64>) -> Vector3<f64> {
-        let b = self.sides.map(|side| side.dot(&free));
+    pub(super) fn solve(&self, unconstrained: Vector3<f64>) -> Vector3<f64> {
+        let b = self.sides.map(|side| side.dot(&unconstrained));
         let p = [-self.stiffness[0] * b[0], -self.stiffness[1] * b[1]];
         let q = self.carried;
         // W_t⊥ W_⊥⁻¹ b_⊥ = −q·b.
-        let drive = self.tangent.dot(&free) + q[0] * b[0] + q[1] * b[1];
+        let drive = self.tangent.dot(&unconstrained) + q[0] * b[0] + q[1] * b[1];
         let holding = if self.along > 0.0 { -drive / self.along } else { 0.0 };
         let mu = self.friction[usize::from(holding > 0.0)];
         let side = |x: f64| [p[0] + q[0] * x, p[1] + q[1] * x];

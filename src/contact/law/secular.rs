@@ -1,10 +1,12 @@
 //! The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
-/// Most evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in fewer.
-const MOST: u32 = 200;
-/// A step of Newton's that changes x by less than this part of it is the last, since what it leaves of such a change is its square: a rounding,
+/// The largest number of evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in
+/// fewer.
+const MAX_EVALUATIONS: u32 = 200;
+/// Newton's step that changes x by less than this fraction is the last, since its error is the square of that: for a solution
+/// to rounding,
 pub(super) const EXACT: f64 = 1e-10;
-/// or enough for who asks again, beginning there: sweeps, of a sixth less time so.
+/// or for a solve that is repeated from there, as in sweeps.
 pub(super) const NEAR: f64 = 1e-3;
 
 /// The root x of `f` above `least`. `f` gives value and slope; it must be positive at `least` (not evaluated there) and negative for all
@@ -14,7 +16,7 @@ pub(super) const NEAR: f64 = 1e-3;
 pub(super) fn root(least: f64, guess: f64, last: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (least, f64::INFINITY);
     let mut x = if guess > least && guess.is_finite() { guess } else { 2.0 * least };
-    for _ in 0..MOST {
+    for _ in 0..MAX_EVALUATIONS {
         let (value, slope) = f(x);
         if value.abs() <= 4.0 * f64::EPSILON {
             return x;

@@ -1,4 +1,4 @@
-//! Signed distances of a mesh that is not quite closed: the sign is told by winding numbers.
+//! Signed distances of a mesh that is not quite closed: the sign is reported by winding numbers.
 
 use super::lattice::Lattice;
 use super::mesh::{Mesh, Sides};
@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 /// A node is unclear whose winding number is farther than this from that of an inside (1, or more where parts overlap) or an outside (0).
 const UNCLEAR: f32 = 0.2;
 /// Most unclear nodes among those near the surface.
-const MOST_UNCLEAR: f64 = 0.2;
+const MAX_UNCLEAR: f64 = 0.2;
 /// A node nearer to the surface than this share of a cell is on it: it has no side, and none is asked of it. (Of a flat face along the
 /// lattice a whole layer of nodes may be.)
 const ON_IT: f64 = 1e-3;
@@ -45,17 +45,17 @@ fn near<'a>(lattice: &Lattice, distances: &'a [f32], numbers: &'a [f32]) -> impl
 fn check(lattice: &Lattice, distances: &[f32], numbers: &[f32]) -> Result<()> {
     let is_unclear = |number: &&f32| **number < -UNCLEAR || (UNCLEAR..1.0 - UNCLEAR).contains(*number);
     let unclear = near(lattice, distances, numbers).filter(is_unclear).count();
-    let share = unclear as f64 / near(lattice, distances, numbers).count().max(1) as f64;
-    if share > MOST_UNCLEAR {
+    let fraction = unclear as f64 / near(lattice, distances, numbers).count().max(1) as f64;
+    if fraction > MAX_UNCLEAR {
         return Err(Error::invalid(
             "mesh",
             format!(
                 "too open to have an inside: {:.0} % of the places about it are neither inside nor outside by winding number",
-                100.0 * share
+                100.0 * fraction
             ),
             format!(
                 "at most {:.0} %: a mesh that is closed but for small openings, its triangles anticlockwise seen from outside",
-                100.0 * MOST_UNCLEAR
+                100.0 * MAX_UNCLEAR
             ),
         ));
     }
@@ -84,7 +84,7 @@ fn close_openings(lattice: &Lattice, distances: &mut [f32], numbers: &[f32]) -> 
             }
             let second = first + stride;
             let (a, b) = (numbers[first] - 0.5, numbers[second] - 0.5);
-            // Were the mesh between them, both ways to it would make up at most the cell.
+            // Were the mesh between them, both distances to it would make up at most the cell.
             if (a > 0.0) != (b > 0.0) && distances[first] + distances[second] > cell * 1.0001 {
                 let part = cell * a.abs() / (a.abs() + b.abs());
                 cap[first] = cap[first].min(part);
@@ -110,8 +110,8 @@ fn spread(lattice: &Lattice, values: &mut [f32]) {
             let there: [i64; 3] = std::array::from_fn(|axis| place[axis] + turn * offset[axis]);
             if (0..3).all(|axis| (0..counts[axis]).contains(&there[axis])) {
                 let other = (there[0] + counts[0] * (there[1] + counts[1] * there[2])) as usize;
-                let way = lattice.cell * (offset.iter().map(|step| (step * step) as f64).sum::<f64>()).sqrt();
-                values[index] = values[index].min(values[other] + way as f32);
+                let distance = lattice.cell * (offset.iter().map(|step| (step * step) as f64).sum::<f64>()).sqrt();
+                values[index] = values[index].min(values[other] + distance as f32);
             }
         }
     };

@@ -46,28 +46,28 @@ impl FlatTriangle {
         self.axes[2].dot(&(point - self.corners[0]))
     }
 
-    /// Whether the straight way between two places goes through it; through an edge of two triangles it goes through one of them.
+    /// Whether the straight path between two points goes through it; through an edge of two triangles it goes through one of them.
     pub fn is_pierced(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
         if (self.height(from) < 0.0) == (self.height(to) < 0.0) {
             return false;
         }
         let [a, b, c] = &self.corners;
-        let way = to - from;
-        // The signed volumes of the way with the edges: all of one sign when it passes between them.
-        let volume = |p: &Vector3<f64>, q: &Vector3<f64>| way.dot(&(p - from).cross(&(q - from)));
+        let offset = to - from;
+        // The signed volumes of the path with the edges: all of one sign when it passes between them.
+        let volume = |p: &Vector3<f64>, q: &Vector3<f64>| offset.dot(&(p - from).cross(&(q - from)));
         let volumes = [volume(a, b), volume(b, c), volume(c, a)];
         volumes.iter().all(|volume| *volume >= 0.0) || volumes.iter().all(|volume| *volume < 0.0)
     }
 
-    /// The way from its nearest point to `point`, m.
+    /// The offset from its nearest point to `point`, m.
     #[inline]
-    pub fn way_to(&self, point: &Vector3<f64>) -> Vector3<f64> {
+    pub fn offset_to(&self, point: &Vector3<f64>) -> Vector3<f64> {
         let to = point - self.corners[0];
         let [x, y] = self.beside(self.axes[0].dot(&to), self.axes[1].dot(&to));
         if self.third[1] > 0.0 {
             self.axes[0] * x + self.axes[1] * y + self.axes[2] * self.axes[2].dot(&to)
         } else {
-            self.way_without_area(point)
+            self.offset_without_area(point)
         }
     }
 
@@ -77,7 +77,7 @@ impl FlatTriangle {
         let to = point - self.corners[0];
         let [x, y] = self.beside(self.axes[0].dot(&to), self.axes[1].dot(&to));
         let z = self.axes[2].dot(&to);
-        if self.third[1] > 0.0 { x * x + y * y + z * z } else { self.way_without_area(point).norm_squared() }
+        if self.third[1] > 0.0 { x * x + y * y + z * z } else { self.offset_without_area(point).norm_squared() }
     }
 
     /// Whether points all lie farther than `level` (m) on one side of its plane, or beyond one of its edges; then so does their hull.
@@ -130,7 +130,7 @@ impl FlatTriangle {
     }
 
     #[cold]
-    fn way_without_area(&self, point: &Vector3<f64>) -> Vector3<f64> {
+    fn offset_without_area(&self, point: &Vector3<f64>) -> Vector3<f64> {
         let [a, b, c] = &self.corners;
         let (weights, _) = triangle::closest(a, b, c, point);
         point - (a * weights[0] + b * weights[1] + c * weights[2])
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_as_far_as_the_triangle() {
+    fn distances_are_those_of_the_triangle() {
         let mut state = 1_u64;
         let mut unit = || {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -160,9 +160,9 @@ mod tests {
             let point = Vector3::from_fn(|_, _| 3.0 * unit() - 1.0);
             let [a, b, c] = &corners;
             let (weights, _) = triangle::closest(a, b, c, &point);
-            let way = point - (a * weights[0] + b * weights[1] + c * weights[2]);
-            assert!((flat.way_to(&point) - way).norm() < 1e-12, "{corners:?} {point}");
-            assert!((flat.distance_squared(&point) - way.norm_squared()).abs() < 1e-12);
+            let offset = point - (a * weights[0] + b * weights[1] + c * weights[2]);
+            assert!((flat.offset_to(&point) - offset).norm() < 1e-12, "{corners:?} {point}");
+            assert!((flat.distance_squared(&point) - offset.norm_squared()).abs() < 1e-12);
         }
     }
 }

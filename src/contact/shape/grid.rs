@@ -27,7 +27,7 @@ pub struct DistanceGrid {
 
 impl DistanceGrid {
     /// Distances of a mesh at the nodes of a lattice of `cell` metres that reaches at least `band` metres beyond the mesh. A strand
-    /// is told of the body within that band; inside at any depth.
+    /// is reported of the body within that band; inside at any depth.
     ///
     /// Of a [`Sides::Solid`] mesh the inside is known. Of another the inside is where its winding number is above one half, so that heads
     /// that are cut off at the neck, or whose parts do not quite meet, may be baked: an opening is closed by the surface on which the

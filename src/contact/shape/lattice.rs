@@ -53,7 +53,7 @@ impl Lattice {
                 at_most = f64::INFINITY;
             }
             let distance = mesh.signed_distance(&node, at_most);
-            // The next node's distance differs by at most the way to it.
+            // The next node's distance differs by at most the distance to it.
             at_most = distance.abs() + 1.001 * self.cell;
             distance as f32
         })

@@ -32,7 +32,7 @@ pub struct Mesh {
     pub(super) sides: Sides,
     /// At the step's start.
     pub(super) before: Vec<Vector3<f64>>,
-    /// At the step's end; nearest points are told of these.
+    /// At the step's end; nearest points are reported of these.
     pub(super) vertices: Vec<Vector3<f64>>,
     pub(super) moving: bool,
     travel: f64,
@@ -180,7 +180,7 @@ impl Mesh {
     }
 
     /// New vertices for the coming step's end, as many as there are; the present ones become those of its start. The tree of boxes is
-    /// refitted, not built anew.
+    /// refitted, not built again.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] when the count is another or a number is not finite; nothing is changed then.
@@ -212,7 +212,7 @@ impl Mesh {
         }
     }
 
-    /// Sets the vertices of the step's start and end to those at the fractions `from` and `to` of the way between two checked sets.
+    /// Sets the vertices of the step's start and end to those at the fractions `from` and `to` of the motion between two checked sets.
     pub(in crate::contact) fn advance(&mut self, first: &[Vector3<f64>], last: &[Vector3<f64>], from: f64, to: f64) {
         // Exactly the last ones at the end.
         let at = |index: usize, u: f64| if u >= 1.0 { last[index] } else { first[index] + (last[index] - first[index]) * u };
@@ -390,7 +390,7 @@ fn neighbours(triangles: &[[u32; 3]], sides: Sides) -> Result<Box<[[u32; 3]]>> {
                 },
             ));
         }
-        // Where three or more meet, or neighbours are wound against each other, no side is told from across the edge: a rim.
+        // Where three or more meet, or neighbours are wound against each other, no side is reported from across the edge: a rim.
         if alike {
             neighbours[shared[0][2] as usize][shared[0][3] as usize] = shared[1][2];
             neighbours[shared[1][2] as usize][shared[1][3] as usize] = shared[0][2];

@@ -1,6 +1,6 @@
 //! Normals that tell a mesh's sides: of faces, edges and vertices.
 //!
-//! The nearest point of a mesh may lie on an edge or a vertex. Which side a point is on is then told by the sum of the two faces' normals,
+//! The nearest point of a mesh may lie on an edge or a vertex. Which side a point is on then follows from the sum of the two faces' normals,
 //! and by that of all the vertex's faces weighted by their angle there (Bærentzen and Aanæs, "Signed distance computation using the
 //! angle weighted pseudonormal", 2005).
 

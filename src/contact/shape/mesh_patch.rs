@@ -109,7 +109,7 @@ impl Patch {
         out.extend(self.near.iter().filter(|ball| tube.meets(&ball.centre, ball.radius)));
     }
 
-    /// Whether the way from `from` at the step's start to `to` at its end goes through an odd number of the triangles.
+    /// Whether the path from `from` at the step's start to `to` at its end goes through an odd number of the triangles.
     pub fn is_crossed(&self, mesh: &Mesh, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
         // As seen from the triangle, which may move itself.
         let from = |index: u32| from + mesh.travel_of(index).iter().sum::<Vector3<f64>>() / 3.0;

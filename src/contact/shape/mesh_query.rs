@@ -11,7 +11,7 @@ use super::mesh_patch::{Ball, Patch};
 use super::surface::Surface;
 use super::triangle::{self, Part};
 
-/// The nearest place of a mesh, before its side is told.
+/// The nearest place of a mesh, before its side is reported.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
     triangle: u32,
@@ -32,14 +32,14 @@ impl Mesh {
             _ => within,
         };
         let nearest = self.nearest(&point, reach)?;
-        self.told(&point, &nearest, within)
+        self.signed(&point, &nearest, within)
     }
 
     /// The distance of a surface that is known to be at most `at_most` away, m: signed for a solid, else without sign.
     pub(super) fn signed_distance(&self, point: &Vector3<f64>, at_most: f64) -> f64 {
         let nearest = self.nearest(point, at_most).or_else(|| self.nearest(point, f64::INFINITY));
         nearest.map_or(f64::INFINITY, |nearest| match self.sides {
-            Sides::Solid => self.told(point, &nearest, f64::INFINITY).map_or(f64::INFINITY, |surface| surface.distance),
+            Sides::Solid => self.signed(point, &nearest, f64::INFINITY).map_or(f64::INFINITY, |surface| surface.distance),
             _ => nearest.squared.sqrt(),
         })
     }
@@ -86,7 +86,7 @@ impl Mesh {
             }
             best = self.nearest(&point, deepest.min(bound * (1.0 + 1e-9)))?;
         }
-        self.told(&point, &best, reach)
+        self.signed(&point, &best, reach)
     }
 
     /// The surface that is nearest at the step's start to a point then, as it is at the step's end, with the distance at the start; None if
@@ -106,9 +106,9 @@ impl Mesh {
         }
         let nearest = best?;
         if !self.is_moving() {
-            return self.told(point, &nearest, reach);
+            return self.signed(point, &nearest, reach);
         }
-        let surface = self.told_by(&self.normals_before, point, &nearest, reach)?;
+        let surface = self.signed_by(&self.normals_before, point, &nearest, reach)?;
         let index = nearest.triangle as usize;
         let (side, _) = self.normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
         let corners = self.corners(nearest.triangle);
@@ -145,11 +145,11 @@ impl Mesh {
     }
 
     /// Tells the side of a point at its nearest place.
-    fn told(&self, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
-        self.told_by(&self.normals, point, nearest, within)
+    fn signed(&self, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
+        self.signed_by(&self.normals, point, nearest, within)
     }
 
-    fn told_by(&self, normals: &Normals, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
+    fn signed_by(&self, normals: &Normals, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
         let out = point - nearest.point;
         let index = nearest.triangle as usize;
         let (side, rim) = normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
@@ -182,7 +182,7 @@ impl Mesh {
         Some(Surface { point: nearest.point, normal, distance, feature: nearest.triangle, weights: nearest.weights })
     }
 
-    /// Weights of the corners in the point of a triangle that is nearest to `point`, and the way from it to `point`.
+    /// Weights of the corners in the point of a triangle that is nearest to `point`, and the offset from it to `point`.
     #[inline]
     pub(in crate::contact) fn closest_on(corners: &[Vector3<f64>; 3], point: &Vector3<f64>) -> ([f64; 3], Vector3<f64>) {
         let found = nearest_of(0, corners, point);

@@ -2,7 +2,7 @@
 //!
 //! Files:
 //!
-//! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: the sign is told by winding numbers.
+//! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: the sign is reported by winding numbers.
 //! - `bounds.rs`: Boxes along the axes, around what is to be kept apart cheaply.
 //! - `capsule.rs`: Capsule: all points within a radius of a segment.
 //! - `cuboid.rs`: Box about the origin, along the axes.
@@ -220,7 +220,7 @@ impl Shape {
     }
 
     /// A distance (m) that the surface has from a point at least, or `within`, where it is more; below zero inside a solid. It changes by no more than
-    /// [`Shape::distance_slope`] times the way from point to point.
+    /// [`Shape::distance_slope`] times the distance from point to point.
     pub(in crate::contact) fn distance(&self, point: Vector3<f64>, within: f64) -> f64 {
         match &self.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.closest(point, within).map_or(within, |surface| surface.distance),
@@ -229,7 +229,7 @@ impl Shape {
         }
     }
 
-    /// The most that a distance changes over the way from point to point. Between a grid's nodes it is interpolated by cubics, which are steeper here and
+    /// The most that a distance changes over a unit of distance. Between a grid's nodes it is interpolated by cubics, which are steeper here and
     /// there than what they go through.
     pub fn distance_slope(&self) -> f64 {
         match &self.0 {

@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn every_edge_of_a_mesh_comes_once() {
+    fn every_edge_of_a_mesh_is_listed_once() {
         let vertices = vec![Vector3::zeros(), Vector3::x(), Vector3::y(), Vector3::x() + Vector3::y()];
         let square = Shape::new_mesh(vertices, vec![[0, 1, 2], [1, 3, 2]], Sides::Both).unwrap();
         assert_eq!(outline(&square).len(), 5);

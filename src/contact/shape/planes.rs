@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn planes_follow_the_field() {
         // A sphere of 0.1 m in cells of 5 mm: half a diagonal of a cell from a node, squared, over twice the radius, is 0.1 mm; slopes are
-        // told to 1/254, which over that way is 0.02 mm.
+        // stored to 1/254, which over that distance is 0.02 mm.
         let (counts, cell, low) = ([50_u32; 3], 0.005, Vector3::repeat(-0.1225));
         let at = |k: usize| Vector3::new((k % 50) as f64, (k / 50 % 50) as f64, (k / 2500) as f64) * cell + low;
         let values = (0..125_000).map(|k| (at(k).norm() - 0.1) as f32).collect();

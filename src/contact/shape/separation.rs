@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{Kind, Shape};
 use crate::contact::segment_distance::closest_of_segments;
 
-/// A plane between a shape and a segment, across the shortest way from one to the other.
+/// A plane between a shape and a segment, across the shortest distance from one to the other.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct Separation {
     /// Unit normal, from the shape to the segment.

@@ -73,10 +73,10 @@ impl Winding {
         while open > 0 {
             open -= 1;
             let cluster = &self.clusters[stack[open]];
-            let way = cluster.centre - point;
-            let distance = way.norm();
+            let offset = cluster.centre - point;
+            let distance = offset.norm();
             if distance > FAR * cluster.radius {
-                angle += cluster.area.dot(&way) / (distance * distance * distance);
+                angle += cluster.area.dot(&offset) / (distance * distance * distance);
             } else if cluster.children == 0 {
                 angle += self.triangles[cluster.from..cluster.to].iter().map(|corners| solid_angle(corners, point)).sum::<f64>();
             } else {

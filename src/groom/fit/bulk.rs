@@ -2,7 +2,7 @@
 
 use super::{Fit, FitCurve, FitOptions, FitScratch, fit_curve};
 use crate::error::Result;
-use crate::workers::{Crew, Workers};
+use crate::workers::{WorkerSet, Workers};
 
 /// Smallest and largest number of curves per task: one may be as long as thousands of others.
 const MIN_CURVES_PER_TASK: usize = 4;
@@ -41,9 +41,9 @@ pub fn fit_each<T: Send>(
 ) -> Result<()> {
     options.check("options.")?;
     workers.check("workers")?;
-    let crew = Crew::<FitScratch>::new(workers)?;
+    let workers = WorkerSet::<FitScratch>::new(workers)?;
     let mut slots: Vec<(usize, Option<T>)> = (0..count).map(|index| (index, None)).collect();
-    crew.for_each_task(&mut slots, MIN_CURVES_PER_TASK, MAX_CURVES_PER_TASK, |slots, scratch| {
+    workers.for_each_task(&mut slots, MIN_CURVES_PER_TASK, MAX_CURVES_PER_TASK, |slots, scratch| {
         for (index, slot) in slots {
             *slot = Some(one(*index, scratch));
         }

@@ -107,7 +107,7 @@ impl StrandShape {
         scratch: &mut PoseScratch,
     ) -> Dragged {
         let length = self.length();
-        let (element, s) = self.station(target.arclength);
+        let (element, s) = self.material_point(target.arclength);
         let obstacles = surroundings.obstacles(options);
         let to = obstacles.map_or(target.position, |obstacles| outside(target.position, target.arclength, &obstacles));
         prepare(self, options.natural_pull, movable, surroundings, scratch);

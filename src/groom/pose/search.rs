@@ -14,8 +14,8 @@ use nalgebra::Vector3;
 use super::elimination::{Model, PoseElimination, Step};
 use super::springs::Spring;
 use crate::contact::body::BodyAt;
+use crate::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
 use crate::contact::strand_body::{self, PathBounds, Span};
-use crate::contact::touch::{StrandCurve, StrandPath, Touch};
 use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, element_states};
@@ -86,7 +86,7 @@ pub(super) struct End {
 #[derive(Debug, Default)]
 pub(super) struct State {
     pub elements: Vec<ElementState<f64>>,
-    pub touches: Vec<Touch>,
+    pub contacts: Vec<ContactPoint>,
     /// The total cost.
     pub cost: f64,
     /// Σ w |r − t|².
@@ -131,7 +131,7 @@ pub(super) struct Search {
     force: Vec<[f64; 3]>,
     in_the_way: Vec<bool>,
     bounds: PathBounds,
-    touching: strand_body::Scratch,
+    body_search: strand_body::BodySearchScratch,
     elimination: PoseElimination,
     step: Step,
     /// Iterations since [`Search::begin`].
@@ -168,7 +168,7 @@ impl Search {
             let (_, angle) = spring.turned(last, direction, 1.0);
             hard += (task.length * angle).powi(2);
         }
-        state.touches.clear();
+        state.contacts.clear();
         state.depth = 0.0;
         if let Some(obstacles) = &task.obstacles {
             let curve = |elements| StrandCurve { origin: task.origin, elements };
@@ -176,12 +176,12 @@ impl Search {
             self.bounds.update(&path);
             let (span, distance, within) = (obstacles.span, obstacles.distance, NEAR * task.length);
             for body in obstacles.bodies {
-                let scratch = &mut self.touching;
-                strand_body::touches(&path, &self.bounds, span, distance, body, within, scratch, &mut state.touches);
+                let scratch = &mut self.body_search;
+                strand_body::contacts(&path, &self.bounds, span, distance, body, within, scratch, &mut state.contacts);
             }
-            state.touches.sort_by(|a, b| (a.place.element.cmp(&b.place.element)).then(a.place.s.total_cmp(&b.place.s)));
-            for touch in &state.touches {
-                let depth = (-touch.gap).max(0.0);
+            state.contacts.sort_by(|a, b| (a.point.element.cmp(&b.point.element)).then(a.point.s.total_cmp(&b.point.s)));
+            for contact in &state.contacts {
+                let depth = (-contact.gap).max(0.0);
                 state.depth = state.depth.max(depth);
                 hard += depth * depth;
             }
@@ -202,7 +202,7 @@ impl Search {
     /// The step from the current state. Contacts that it would pass through are added as obstacles.
     fn direction(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights, exact: bool) {
         self.in_the_way.clear();
-        self.in_the_way.extend(self.state.touches.iter().map(|touch| touch.gap < 0.0));
+        self.in_the_way.extend(self.state.contacts.iter().map(|contact| contact.gap < 0.0));
         self.model(task, rows);
         for _ in 0..ROUNDS {
             self.springs.clear();
@@ -217,8 +217,8 @@ impl Search {
             };
             self.elimination.solve(&model, &mut self.step);
             let mut met = false;
-            for (touch, in_the_way) in self.state.touches.iter().zip(&mut self.in_the_way) {
-                if !*in_the_way && touch.gap + moved(&self.state, &self.step, touch) < 0.0 {
+            for (contact, in_the_way) in self.state.contacts.iter().zip(&mut self.in_the_way) {
+                if !*in_the_way && contact.gap + moved(&self.state, &self.step, contact) < 0.0 {
                     (*in_the_way, met) = (true, true);
                 }
             }
@@ -321,18 +321,18 @@ impl DampedLeastSquares for Descent<'_> {
 }
 
 /// How far the step takes a touching place from its body.
-fn moved(state: &State, step: &Step, touch: &Touch) -> f64 {
-    let index = touch.place.element as usize;
+fn moved(state: &State, step: &Step, contact: &ContactPoint) -> f64 {
+    let index = contact.point.element as usize;
     let element = &state.elements[index];
-    let place = Spring::at(element, index, touch.place.s);
+    let place = Spring::at(element, index, contact.point.s);
     let (psi, rho) = step.left[index];
     let displacement = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
-    element.frame_left.apply(displacement).dot(touch.normal.into())
+    element.frame_left.apply(displacement).dot(contact.normal.into())
 }
 
 /// The springs of a state, by element.
 fn springs(task: &Task, state: &State, weights: Weights, in_the_way: &[bool], out: &mut Vec<Spring>) {
-    let mut touches = state.touches.iter().zip(in_the_way).filter(|(_, in_the_way)| **in_the_way).peekable();
+    let mut contacts = state.contacts.iter().zip(in_the_way).filter(|(_, in_the_way)| **in_the_way).peekable();
     let mut pulls = task.pulls.iter().peekable();
     let last = state.elements.len() - 1;
     for (index, element) in state.elements.iter().enumerate() {
@@ -340,9 +340,9 @@ fn springs(task: &Task, state: &State, weights: Weights, in_the_way: &[bool], ou
             let off = pull.target - element.point(pull.s).position;
             out.push(Spring::at(element, index, pull.s).pulled(element, off, weights.pull * pull.weight));
         }
-        while let Some((touch, _)) = touches.next_if(|(touch, _)| touch.place.element as usize == index) {
-            let place = Spring::at(element, index, touch.place.s);
-            out.push(place.pushed(element, touch.normal.into(), -touch.gap, weights.hard));
+        while let Some((contact, _)) = contacts.next_if(|(contact, _)| contact.point.element as usize == index) {
+            let place = Spring::at(element, index, contact.point.s);
+            out.push(place.pushed(element, contact.normal.into(), -contact.gap, weights.hard));
         }
         if index == last
             && let Some(direction) = task.tip

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::phase::{argument, phasor};
-use super::settings::MOST_GUIDES;
+use super::settings::MAX_GUIDES;
 use super::shape::{BEND, CURL, N1, N2, PLACE, Reference, Shape, carried};
 use super::strand::RenderCurl;
 use super::weights::Followed;
@@ -32,8 +32,8 @@ fn bend(reference: &Reference, shape: &Shape, guide: u32, first: usize, k: usize
 /// the curls' phases removed, in frames whose n1 points along the curl's bend, so that the root of a strand between two curls is
 /// on the curl between them. Takes whichever preserves more bend.
 pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -> RenderCurl {
-    let mut plain = [0.0; MOST_GUIDES];
-    let mut curled = [0.0; MOST_GUIDES];
+    let mut plain = [0.0; MAX_GUIDES];
+    let mut curled = [0.0; MAX_GUIDES];
     let (first_direction, first_n1) = first_edge(reference, shape, followed.guides[0]);
     for k in 0..followed.count {
         let guide = followed.guides[k];
@@ -46,7 +46,7 @@ pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -
         });
         curled[k] = argument(sum);
     }
-    let left = |angles: &[f64; MOST_GUIDES], row: usize| -> f64 {
+    let left = |angles: &[f64; MAX_GUIDES], row: usize| -> f64 {
         let turns = angles.map(phasor);
         (0..reference.points)
             .map(|j| {

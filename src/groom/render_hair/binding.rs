@@ -9,7 +9,7 @@ use super::measured_curliness;
 use super::phase;
 use super::profile::{CURVES, Profiles, gather};
 use super::sections::{Section, normals, sections};
-use super::settings::{MOST_GUIDES, RenderSettings, Space};
+use super::settings::{MAX_GUIDES, RenderSettings, Space};
 use super::shape::{Reference, Shape};
 use super::silhouette::Silhouette;
 use super::strand::{RenderCurl, RenderStrand};
@@ -17,7 +17,7 @@ use super::weights::{Followed, Guides};
 use super::wisps;
 use crate::error::{Error, Result, check_finite};
 use crate::math::random::Seeded;
-use crate::workers::Crew;
+use crate::workers::WorkerSet;
 
 /// The data for binding strands.
 pub(super) struct Binder<'a> {
@@ -51,7 +51,7 @@ impl<'a> Binder<'a> {
         let (settings, reference) = (self.settings, self.reference);
         let number = |purpose: u64| Seeded::new(settings.seed, purpose).unit(index as u64);
         let bits = |purpose: u64| Seeded::new(settings.seed, purpose).bits(index as u64);
-        let mut places = [[0.0; 3]; MOST_GUIDES];
+        let mut places = [[0.0; 3]; MAX_GUIDES];
         for (place, guide) in places.iter_mut().zip(followed.guides) {
             let guide = guide as usize;
             let away = reference.rotations[guide].inverse() * (root - reference.origins[guide]);
@@ -84,7 +84,7 @@ impl<'a> Binder<'a> {
         let (settings, reference) = (self.settings, self.reference);
         let guide = strand.guides[0] as usize;
         // A wisp's random numbers depend on its guide and its index there.
-        let item = guide as u64 * super::MOST_WISPS as u64 + u64::from(strand.wisp);
+        let item = guide as u64 * super::MAX_WISPS as u64 + u64::from(strand.wisp);
         let number = |purpose: u64| Seeded::new(settings.seed, purpose).unit(item);
         strand.clump = (Seeded::new(settings.seed, 18).bits(item) % CURVES as u64) as u32;
         let turn = phase::phasor(std::f64::consts::TAU * number(18));
@@ -183,7 +183,7 @@ impl RenderHair {
             silhouette: Silhouette::new(reference.points, reference.stride),
             strands,
             curls,
-            crew: Crew::new(&settings.workers)?,
+            workers: WorkerSet::new(&settings.workers)?,
             reference,
             settings,
         })

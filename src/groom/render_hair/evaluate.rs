@@ -10,7 +10,7 @@ use super::lengths::{self, Wanted, respace, taken_along};
 use super::pose::{RenderPose, VELOCITY_STEP};
 use super::position::{Roots, mix};
 use super::reach::{About, Reach};
-use super::settings::MOST_GUIDES;
+use super::settings::MAX_GUIDES;
 use super::shape::{N1, PLACE, Shape};
 use super::strand::RenderStrand;
 use crate::error::{Error, Result, check_finite, check_positive};
@@ -182,7 +182,7 @@ impl RenderPose {
             .map(|first| (first, TILE.min(view.first + view.count - first)))
             .collect();
         let set = hair.settings.instruction_set.unwrap_or_else(InstructionSet::detected);
-        hair.crew.for_each_task(&mut tiles, 1, usize::MAX, |tiles, scratch| {
+        hair.workers.for_each_task(&mut tiles, 1, usize::MAX, |tiles, scratch| {
             for (first, count) in tiles {
                 let tile =
                     TileWork { pose: self, view, earlier, around, evaluation, first: *first, count: *count, scratch, sink };
@@ -365,7 +365,7 @@ fn finish(
 #[inline(always)]
 fn follow(shape: &Shape, strand: &RenderStrand) -> Vector3<f64> {
     let mut root = Vector3::zeros();
-    for k in 0..MOST_GUIDES {
+    for k in 0..MAX_GUIDES {
         let weight = strand.weights[k];
         if weight == 0.0 {
             continue;

@@ -8,7 +8,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::RenderHair;
 use super::phase;
-use super::settings::{MOST_GUIDES, RenderSettings, Space};
+use super::settings::{MAX_GUIDES, RenderSettings, Space};
 use super::shape::{Reference, Shape};
 use super::strand::{RenderCurl, RenderStrand};
 use crate::error::{Error, Result};
@@ -20,8 +20,8 @@ pub const RENDER_HAIR_VERSION: u32 = 1;
 const MAGIC: &[u8; 8] = b"SHXRHAIR";
 const HEAD: usize = 8 + 4 + 8;
 /// 4-byte words per strand, without and with the data for mixing curvatures.
-const STRAND_WORDS: usize = 2 * MOST_GUIDES + 3 * MOST_GUIDES + 2 + 2 + 2 + 3 + 3 + 3;
-const CURL_WORDS: usize = 4 * MOST_GUIDES + 1;
+const STRAND_WORDS: usize = 2 * MAX_GUIDES + 3 * MAX_GUIDES + 2 + 2 + 2 + 3 + 3 + 3;
+const CURL_WORDS: usize = 4 * MAX_GUIDES + 1;
 
 fn bad(reason: impl Into<String>) -> Error {
     Error::Snapshot { reason: reason.into() }
@@ -241,7 +241,7 @@ impl RenderHair {
 }
 
 fn strand(body: &mut Reader, guides: usize) -> Result<RenderStrand> {
-    let mut followed = [0; MOST_GUIDES];
+    let mut followed = [0; MAX_GUIDES];
     for guide in &mut followed {
         *guide = body.u32()?;
         if *guide as usize >= guides {

@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn strands_stay_on_their_way_and_have_the_length_that_is_wanted() {
+    fn strands_stay_on_their_path_and_have_the_wanted_length() {
         // A turn and a half in 32 edges.
         let (points, stride) = (33, 40);
         let angle = 1.5 * std::f32::consts::TAU;
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_short_goes_straight_on_and_two_points_are_a_line() {
+    fn short_guides_are_extended_straight_and_two_points_make_a_line() {
         let mut line = rows(5, 8, |s| [s, 0.0, 0.0]);
         respace(Wanted::Along(&[0.0, 0.27, 0.54, 0.81, 1.08], 1.0), 8, 5, &mut line, &mut Room::default());
         assert!((0..5).all(|k| (line[k] - 0.27 * k as f32).abs() < 1e-6), "{line:?}");

@@ -1,7 +1,7 @@
 //! Strands mixed from their guides' positions, and blended into their wisps.
 
 use super::RenderHair;
-use super::settings::MOST_GUIDES;
+use super::settings::MAX_GUIDES;
 use super::shape::{ALONG, N1, N2, PLACE, Shape};
 use super::strand::RenderStrand;
 
@@ -44,7 +44,7 @@ pub(super) fn mix(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, roots
         1 => mix_of::<1>(hair, shape, strand, roots, bent, out),
         2 => mix_of::<2>(hair, shape, strand, roots, bent, out),
         3 => mix_of::<3>(hair, shape, strand, roots, bent, out),
-        _ => mix_of::<MOST_GUIDES>(hair, shape, strand, roots, bent, out),
+        _ => mix_of::<MAX_GUIDES>(hair, shape, strand, roots, bent, out),
     }
 }
 

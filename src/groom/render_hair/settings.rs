@@ -5,11 +5,11 @@ use crate::math::lanes::InstructionSet;
 use crate::workers::Workers;
 
 /// Most guides per render strand.
-pub const MOST_GUIDES: usize = 4;
+pub const MAX_GUIDES: usize = 4;
 /// Most points of a render strand.
-pub const MOST_POINTS: usize = 4096;
+pub const MAX_POINTS: usize = 4096;
 /// Most wisps per guide.
-pub const MOST_WISPS: usize = 10_000;
+pub const MAX_WISPS: usize = 10_000;
 
 /// What is mixed where a render strand lies between guides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -34,11 +34,11 @@ pub enum Space {
 /// ```
 #[derive(Debug, Clone)]
 pub struct RenderSettings {
-    /// Points per strand, root and tip included, 2 to [`MOST_POINTS`]; also the number of samples of each guide. Default 16.
+    /// Points per strand, root and tip included, 2 to [`MAX_POINTS`]; also the number of samples of each guide. Default 16.
     pub points_per_strand: usize,
     /// What to mix between guides.
     pub space: Space,
-    /// Most guides per strand, 1 to [`MOST_GUIDES`]. Default 4: with fewer, strands do not follow linear variations over the
+    /// Most guides per strand, 1 to [`MAX_GUIDES`]. Default 4: with fewer, strands do not follow linear variations over the
     /// scalp exactly.
     pub guides_per_strand: usize,
     /// 0 to 1, from hair that is interpolated over its whole length (0) over hair that is interpolated at the root and gathers in
@@ -54,7 +54,7 @@ pub struct RenderSettings {
     pub max_tip_distance: f64,
     /// The same as a fraction of the shorter guide's length. Default 0.6.
     pub max_tip_ratio: f64,
-    /// Wisps per guide, 1 to [`MOST_WISPS`]: with more than one, neighbouring strands gather around a line beside the guide.
+    /// Wisps per guide, 1 to [`MAX_WISPS`]: with more than one, neighbouring strands gather around a line beside the guide.
     /// Default 4.
     pub wisps_per_guide: usize,
     /// A wisp's radius at root, middle and tip, relative to the one that its roots determine; 0 or above. Default 1, 0.6, 0.08.
@@ -163,9 +163,9 @@ impl RenderSettings {
                 Err(Error::invalid(format!("{outer}{name}"), value, "a number above zero (infinite: none)"))
             }
         };
-        count("points_per_strand", self.points_per_strand, 2, MOST_POINTS)?;
-        count("guides_per_strand", self.guides_per_strand, 1, MOST_GUIDES)?;
-        count("wisps_per_guide", self.wisps_per_guide, 1, MOST_WISPS)?;
+        count("points_per_strand", self.points_per_strand, 2, MAX_POINTS)?;
+        count("guides_per_strand", self.guides_per_strand, 1, MAX_GUIDES)?;
+        count("wisps_per_guide", self.wisps_per_guide, 1, MAX_WISPS)?;
         within("curliness", self.curliness, 0.0, 1.0)?;
         above("max_tip_distance", self.max_tip_distance)?;
         above("max_tip_ratio", self.max_tip_ratio)?;

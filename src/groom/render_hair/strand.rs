@@ -1,16 +1,16 @@
 //! A render strand in the map: the guides that it follows, and how.
 
-use super::settings::MOST_GUIDES;
+use super::settings::MAX_GUIDES;
 
 /// The data for mixing positions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RenderStrand {
     /// The guides that it follows, nearest first; entries beyond the last repeat the first, with weight 0.
-    pub guides: [u32; MOST_GUIDES],
+    pub guides: [u32; MAX_GUIDES],
     /// Weights; their sum is 1.
-    pub weights: [f32; MOST_GUIDES],
+    pub weights: [f32; MAX_GUIDES],
     /// Its root relative to each guide's, in the frame of that guide's follicle, m.
-    pub roots: [[f32; 3]; MOST_GUIDES],
+    pub roots: [[f32; 3]; MAX_GUIDES],
     /// Its wisp's middle along n1 and n2 of the first guide, m.
     pub middle: [f32; 2],
     /// Its root from there.
@@ -36,9 +36,9 @@ pub(super) struct RenderStrand {
 pub(super) struct RenderCurl {
     /// The rotation of each guide's frame on its first edge about that edge, and of its bends with it, before mixing: cosine and
     /// sine.
-    pub turns: [[f32; 2]; MOST_GUIDES],
+    pub turns: [[f32; 2]; MAX_GUIDES],
     /// Cosine and sine of half of that.
-    pub halves: [[f32; 2]; MOST_GUIDES],
+    pub halves: [[f32; 2]; MAX_GUIDES],
     /// Whether the bends are mixed with the curls' phases removed.
     pub curled: bool,
 }

@@ -10,7 +10,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::settings::{MOST_GUIDES, RenderSettings};
+use super::settings::{MAX_GUIDES, RenderSettings};
 use crate::error::{Error, Result};
 use crate::math::point_tree::PointTree;
 
@@ -61,7 +61,7 @@ impl Guides {
         let distance = |k: usize| found[k].0.sqrt();
         // Without a next one the border is where the farthest still counts.
         let border = if found.len() > wanted { distance(wanted) } else { 1.5 * distance(count - 1) };
-        let mut followed = Followed { guides: [first; MOST_GUIDES], weights: [0.0; MOST_GUIDES], count };
+        let mut followed = Followed { guides: [first; MAX_GUIDES], weights: [0.0; MAX_GUIDES], count };
         let mut sum = 0.0;
         for k in 0..count {
             followed.guides[k] = found[k].1;
@@ -75,7 +75,7 @@ impl Guides {
             self.reproduce(root, &mut followed);
         } else {
             // On a guide's root, or at equal distances: the nearest alone.
-            followed.weights = [0.0; MOST_GUIDES];
+            followed.weights = [0.0; MAX_GUIDES];
             followed.weights[0] = 1.0;
         }
         Ok(followed)
@@ -102,7 +102,7 @@ impl Guides {
         let spread = spread / size;
         let Some(inverse) = (spread * spread + Matrix3::identity() * (MIN_SPREAD * MIN_SPREAD)).try_inverse() else { return };
         let slope = inverse * spread * (root - middle) / size;
-        let changes: [f64; MOST_GUIDES] =
+        let changes: [f64; MAX_GUIDES] =
             std::array::from_fn(|k| if k < count { followed.weights[k] * slope.dot(&(of(k) - middle)) } else { 0.0 });
         let mut fraction: f64 = 1.0;
         for k in 0..count {
@@ -120,7 +120,7 @@ impl Guides {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Followed {
     /// Those beyond `count` repeat the first.
-    pub guides: [u32; MOST_GUIDES],
-    pub weights: [f64; MOST_GUIDES],
+    pub guides: [u32; MAX_GUIDES],
+    pub weights: [f64; MAX_GUIDES],
     pub count: usize,
 }

@@ -17,7 +17,7 @@ use crate::math::random::Seeded;
 use crate::math::rotation::arc_tangent;
 
 /// Most follicles per call.
-pub const MOST_FOLLICLES: usize = 10_000_000;
+pub const MAX_FOLLICLES: usize = 10_000_000;
 /// Candidates per follicle.
 const CANDIDATES: f64 = 5.0;
 /// Attempts per candidate before the density is rejected.
@@ -237,7 +237,7 @@ impl Scalp {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a density that does not match the scalp, is negative, or is zero nearly everywhere; a
-    /// spacing that is not above zero; or more than [`MOST_FOLLICLES`].
+    /// spacing that is not above zero; or more than [`MAX_FOLLICLES`].
     pub fn scatter(&self, options: &ScatterOptions) -> Result<Scattered> {
         options.density.check(self)?;
         let area = self.area();
@@ -250,12 +250,12 @@ impl Scalp {
                 ((CANDIDATES * area / (packing * (0.5 * spacing).powi(2))).ceil().max(100.0), 0)
             }
         };
-        if count > CANDIDATES * MOST_FOLLICLES as f64 {
+        if count > CANDIDATES * MAX_FOLLICLES as f64 {
             let (argument, value) = match options.amount {
                 Amount::Count(count) => ("count", count as f64),
                 Amount::Spacing(spacing) => ("spacing", spacing),
             };
-            return Err(Error::invalid(argument, value, format!("what gives at most {MOST_FOLLICLES} follicles")));
+            return Err(Error::invalid(argument, value, format!("what gives at most {MAX_FOLLICLES} follicles")));
         }
         let candidates = Candidates::new(self, &options.density, options.seed, count as usize)?;
         let (reach, until, least) = match options.amount {

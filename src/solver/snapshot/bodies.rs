@@ -61,7 +61,7 @@ impl Writer {
         self.f64(def.viscous_friction);
         self.u32(def.group);
         self.u32(def.mask);
-        self.pose_move(body.way.going.as_ref());
+        self.pose_move(body.motion.going.as_ref());
         self.flag(body.bending.is_some());
         if let Some(bending) = body.bending.as_deref() {
             self.vectors(&bending.from);
@@ -172,7 +172,7 @@ impl Reader<'_> {
         let vertices = def.shape.mesh().map(|mesh| mesh.vertices().len());
         let deforms = matches!(def.shape.parts(), Parts::Mesh(_));
         let mut body = Body::new(def).map_err(|error| of_part("a body", &error))?;
-        body.way.going = self.finite_pose_move("a body's motion")?;
+        body.motion.going = self.finite_pose_move("a body's motion")?;
         if self.flag()? {
             let count = vertices.filter(|_| deforms).ok_or_else(|| bad("a body deforms that is not a mesh"))?;
             let (from, to) = (self.finite_vectors(count)?, self.finite_vectors(count)?);

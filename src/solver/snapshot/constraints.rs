@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::bytes::{Reader, Writer, bad};
 use crate::error::Result;
-use crate::math::way::Way;
+use crate::math::pose_motion::PoseMotion;
 use crate::solver::constraints::{Constraint, ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, SlotMap, StrandId};
 use crate::solver::strand::Strand;
@@ -20,7 +20,7 @@ impl Writer {
     }
 
     fn constraint(&mut self, constraint: &Constraint, strands: &SlotMap<StrandId>) {
-        let Constraint { def, way, state, forces, .. } = constraint;
+        let Constraint { def, motion, state, forces, .. } = constraint;
         // A constraint is removed with its strands: there is always an index.
         let index = |id: StrandId| strands.index(id).unwrap_or(usize::MAX) as u64;
         self.u64(index(def.strand));
@@ -41,8 +41,8 @@ impl Writer {
         }
         self.frame(&def.target);
         self.f64(def.compliance);
-        self.frame(&way.pose);
-        self.pose_move(way.going.as_ref());
+        self.frame(&motion.pose);
+        self.pose_move(motion.going.as_ref());
         self.vector(state.force);
         self.vector(state.torque);
         self.f64(state.error);
@@ -109,7 +109,8 @@ impl Reader<'_> {
         if compliance < 0.0 {
             return Err(bad(format!("a compliance is {compliance}")));
         }
-        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's motion")? };
+        let motion =
+            PoseMotion { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's motion")? };
         let state = ConstraintState {
             force: self.vector()?,
             torque: self.vector()?,
@@ -131,7 +132,7 @@ impl Reader<'_> {
         Ok(Constraint {
             id: ConstraintId::from_bits(0),
             def,
-            way,
+            motion,
             state,
             forces,
             parts: 0,

@@ -3,14 +3,14 @@
 use nalgebra::Matrix3;
 
 use super::bytes::{Reader, Writer, bad, of_part};
-use crate::contact::allowance::Allowance;
 use crate::contact::hair_pairs::PairMemory;
 use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::pieces::{Piece, Wisp};
 use crate::error::Result;
-use crate::solver::touching::{NearStrands, Remembered, TouchMemory, With};
+use crate::solver::contact_detection::{ContactMemory, NearStrands, WarmStartForce, With};
 
-/// Says that touches are with a strand, beside their number.
+/// Says that contacts are with a strand, beside their number.
 const STRAND: u32 = 1 << 31;
 
 impl Writer {
@@ -48,9 +48,12 @@ impl Writer {
     }
 
     /// The permitted overlap of a strand.
-    pub fn allowance(&mut self, allowance: Option<&Allowance>) {
-        self.u64(allowance.map_or(0, |allowance| allowance.along.len() as u64));
-        for list in allowance.iter().flat_map(|allowance| [&allowance.along, &allowance.wisp_shares, &allowance.sunk]) {
+    pub fn permitted_overlap(&mut self, permitted_overlap: Option<&PermittedOverlap>) {
+        self.u64(permitted_overlap.map_or(0, |permitted_overlap| permitted_overlap.along.len() as u64));
+        for list in permitted_overlap
+            .iter()
+            .flat_map(|permitted_overlap| [&permitted_overlap.along, &permitted_overlap.wisp_fractions, &permitted_overlap.sunk])
+        {
             list.iter().for_each(|x| self.f64(*x));
         }
     }
@@ -62,9 +65,9 @@ impl Writer {
     }
 
     /// What the last substep left, for images: touches by what they are with.
-    pub fn packed_touches(&mut self, memory: &TouchMemory) {
-        self.u64(memory.remembered.len() as u64);
-        for group in memory.remembered.chunk_by(|a, b| (a.strand, a.with) == (b.strand, b.with)) {
+    pub fn packed_contacts(&mut self, memory: &ContactMemory) {
+        self.u64(memory.warm_start.len() as u64);
+        for group in memory.warm_start.chunk_by(|a, b| (a.strand, a.with) == (b.strand, b.with)) {
             let (sort, index) = match group[0].with {
                 With::Body(body) => (0, body),
                 With::Strand(strand) => (STRAND, strand),
@@ -81,9 +84,9 @@ impl Writer {
     }
 
     /// What the last substep left, for hashes.
-    pub fn touches(&mut self, memory: &TouchMemory) {
-        self.u64(memory.remembered.len() as u64);
-        for seen in &memory.remembered {
+    pub fn contacts(&mut self, memory: &ContactMemory) {
+        self.u64(memory.warm_start.len() as u64);
+        for seen in &memory.warm_start {
             let (sort, index) = match seen.with {
                 With::Body(body) => (0, body),
                 With::Strand(strand) => (1, strand),
@@ -97,7 +100,7 @@ impl Writer {
         self.near_strands(memory);
     }
 
-    fn near_strands(&mut self, memory: &TouchMemory) {
+    fn near_strands(&mut self, memory: &ContactMemory) {
         self.flag(memory.pairs.is_some());
         if let Some(NearStrands { of, memory }) = &memory.pairs {
             self.pairs(of, memory);
@@ -183,15 +186,15 @@ impl Reader<'_> {
     }
 
     /// The permitted overlap of a strand.
-    pub fn allowance(&mut self) -> Result<Option<Box<Allowance>>> {
+    pub fn permitted_overlap(&mut self) -> Result<Option<Box<PermittedOverlap>>> {
         let count = self.count(3 * 8)?;
         if count == 0 {
             return Ok(None);
         }
         let mut list = || (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>();
-        let allowance = Allowance { along: list()?, wisp_shares: list()?, sunk: list()? };
-        allowance.check("allowance").map_err(|error| of_part("a strand", &error))?;
-        Ok(Some(Box::new(allowance)))
+        let permitted_overlap = PermittedOverlap { along: list()?, wisp_fractions: list()?, sunk: list()? };
+        permitted_overlap.check("permitted overlap").map_err(|error| of_part("a strand", &error))?;
+        Ok(Some(Box::new(permitted_overlap)))
     }
 
     /// Friction by direction.
@@ -200,18 +203,18 @@ impl Reader<'_> {
     }
 
     /// The warm start from the last substep; checked against the scene where it is used.
-    pub fn touches(&mut self) -> Result<TouchMemory> {
-        let mut memory = TouchMemory::default();
+    pub fn contacts(&mut self) -> Result<ContactMemory> {
+        let mut memory = ContactMemory::default();
         let mut left = self.count(4 * 8)?;
         while left > 0 {
             let (strand, index, word) = (self.u32()?, self.u32()?, self.u32()?);
             let with = if word & STRAND != 0 { With::Strand(index) } else { With::Body(index) };
             let count = (word & !STRAND) as usize;
             if count == 0 || count > left {
-                return Err(bad(format!("a strand has {count} touches with the same thing where {left} are left")));
+                return Err(bad(format!("a strand has {count} contacts with one partner where {left} are left")));
             }
             for _ in 0..count {
-                memory.remembered.push(Remembered { strand, with, along: self.f64()?, force: self.vector()? });
+                memory.warm_start.push(WarmStartForce { strand, with, along: self.f64()?, force: self.vector()? });
             }
             left -= count;
         }

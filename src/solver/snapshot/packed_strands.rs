@@ -15,8 +15,8 @@ use crate::solver::freezing::Frozen;
 use crate::solver::id::StrandId;
 use crate::solver::report::Energies;
 use crate::solver::sections::Sections;
-use crate::solver::strand::{Fared, Holds, Strand};
-use crate::step::state::{Past, StrandState};
+use crate::solver::strand::{Constrained, Strand, SubstepResult};
+use crate::step::state::{History, StrandState};
 
 /// What a strand's first word says.
 mod flag {
@@ -28,19 +28,19 @@ mod flag {
     /// All elements are as long as the first.
     pub const EQUAL_LENGTHS: u32 = 1 << 3;
     pub const HAS_USER_DATA: u32 = 1 << 4;
-    pub const TOUCHED: u32 = 1 << 5;
+    pub const IN_CONTACT: u32 = 1 << 5;
     pub const CONVERGED: u32 = 1 << 6;
     pub const QUARANTINED: u32 = 1 << 7;
     pub const HAS_PAST: u32 = 1 << 8;
     /// The last step was as long as that of the strand before.
     pub const SAME_STEP: u32 = 1 << 9;
-    pub const HAS_WAY: u32 = 1 << 10;
+    pub const HAS_ROOT_MOVE: u32 = 1 << 10;
     /// The root's way takes as long, and is as far, as that of the strand before.
     pub const SAME_TIMES: u32 = 1 << 11;
     pub const HAS_AUTHORED: u32 = 1 << 12;
-    pub const HAS_ALLOWANCE: u32 = 1 << 13;
+    pub const HAS_PERMITTED_OVERLAP: u32 = 1 << 13;
     /// Something is kept of it where a substep has not brought it through, or it stands still.
-    pub const HAS_ASTRAY: u32 = 1 << 14;
+    pub const HAS_DIVERGENCE: u32 = 1 << 14;
     /// Where the root's way begins is where the root is, or where it was a step ago; where it ends likewise.
     pub const FROM_ROOT: u32 = 1 << 15;
     pub const FROM_PAST: u32 = 1 << 16;
@@ -70,10 +70,10 @@ fn contact_bits(contact: Option<&StrandContact>) -> Option<([u64; 9], [u32; 2])>
 }
 
 /// Which of two poses a pose is.
-fn repeats(pose: &Frame, root: &Frame, past: Option<&Frame>, of_root: u32, of_past: u32) -> u32 {
+fn repeats(pose: &Frame, root: &Frame, history: Option<&Frame>, of_root: u32, of_past: u32) -> u32 {
     if frame_bits(pose) == frame_bits(root) {
         of_root
-    } else if past.is_some_and(|past| frame_bits(pose) == frame_bits(past)) {
+    } else if history.is_some_and(|history| frame_bits(pose) == frame_bits(history)) {
         of_past
     } else {
         0
@@ -81,7 +81,7 @@ fn repeats(pose: &Frame, root: &Frame, past: Option<&Frame>, of_root: u32, of_pa
 }
 
 fn past_root(strand: &Strand) -> Option<&Frame> {
-    (strand.state.past.step > 0.0).then(|| &strand.state.past.root)
+    (strand.state.history.step > 0.0).then(|| &strand.state.history.root)
 }
 
 /// The first word of a strand after another one.
@@ -97,20 +97,23 @@ fn flags_of(strand: &Strand, before: Option<&Strand>) -> u32 {
     set(flag::HAS_CONTACT, contact.is_some());
     set(flag::EQUAL_LENGTHS, model.lengths.iter().all(|length| length.to_bits() == model.lengths[0].to_bits()));
     set(flag::HAS_USER_DATA, strand.user_data != 0);
-    set(flag::TOUCHED, strand.touched);
-    set(flag::CONVERGED, strand.fared.converged);
-    set(flag::QUARANTINED, strand.fared.quarantined);
-    set(flag::HAS_PAST, state.past.step > 0.0);
-    set(flag::SAME_STEP, state.past.step > 0.0 && same(&|before| before.state.past.step.to_bits() == state.past.step.to_bits()));
-    let times = |strand: &Strand| strand.root_move.as_deref().map(|(way, elapsed)| bits([way.duration, *elapsed]));
-    set(flag::HAS_WAY, strand.root_move.is_some());
+    set(flag::IN_CONTACT, strand.touched);
+    set(flag::CONVERGED, strand.last.converged);
+    set(flag::QUARANTINED, strand.last.quarantined);
+    set(flag::HAS_PAST, state.history.step > 0.0);
+    set(
+        flag::SAME_STEP,
+        state.history.step > 0.0 && same(&|before| before.state.history.step.to_bits() == state.history.step.to_bits()),
+    );
+    let times = |strand: &Strand| strand.root_move.as_deref().map(|(motion, elapsed)| bits([motion.duration, *elapsed]));
+    set(flag::HAS_ROOT_MOVE, strand.root_move.is_some());
     set(flag::SAME_TIMES, strand.root_move.is_some() && same(&|before| times(before) == times(strand)));
     set(flag::HAS_AUTHORED, strand.authored.is_some());
-    set(flag::HAS_ALLOWANCE, strand.allowance.is_some());
-    set(flag::HAS_ASTRAY, strand.astray.is_some() || strand.frozen.is_some());
-    if let Some((way, _)) = strand.root_move.as_deref() {
-        flags |= repeats(&way.from, &state.root, past_root(strand), flag::FROM_ROOT, flag::FROM_PAST);
-        flags |= repeats(&way.to, &state.root, past_root(strand), flag::TO_ROOT, flag::TO_PAST);
+    set(flag::HAS_PERMITTED_OVERLAP, strand.permitted_overlap.is_some());
+    set(flag::HAS_DIVERGENCE, strand.divergence.is_some() || strand.frozen.is_some());
+    if let Some((motion, _)) = strand.root_move.as_deref() {
+        flags |= repeats(&motion.from, &state.root, past_root(strand), flag::FROM_ROOT, flag::FROM_PAST);
+        flags |= repeats(&motion.to, &state.root, past_root(strand), flag::TO_ROOT, flag::TO_PAST);
     }
     flags
 }
@@ -144,30 +147,30 @@ impl Writer {
         self.vector(state.wrench_torque.into());
         if has(flag::HAS_PAST) {
             if !has(flag::SAME_STEP) {
-                self.f64(state.past.step);
+                self.f64(state.history.step);
             }
-            self.rows(&state.past.curvatures);
-            self.velocities(&state.past.velocities);
-            self.frame(&state.past.root);
+            self.rows(&state.history.curvatures);
+            self.velocities(&state.history.velocities);
+            self.frame(&state.history.root);
         }
-        if let Some((way, elapsed)) = strand.root_move.as_deref() {
+        if let Some((motion, elapsed)) = strand.root_move.as_deref() {
             if !has(flag::FROM_ROOT) && !has(flag::FROM_PAST) {
-                self.frame(&way.from);
+                self.frame(&motion.from);
             }
             if !has(flag::TO_ROOT) && !has(flag::TO_PAST) {
-                self.frame(&way.to);
+                self.frame(&motion.to);
             }
-            self.vector(way.velocity);
-            self.vector(way.angular_velocity);
+            self.vector(motion.velocity);
+            self.vector(motion.angular_velocity);
             if !has(flag::SAME_TIMES) {
-                self.f64(way.duration);
+                self.f64(motion.duration);
                 self.f64(*elapsed);
             }
         }
-        self.u32(strand.fared.iterations);
+        self.u32(strand.last.iterations);
         match strand.frozen.as_deref() {
             Some(frozen) => self.frozen(&frozen.bodies),
-            None if has(flag::HAS_ASTRAY) => self.astray(strand.astray.as_deref()),
+            None if has(flag::HAS_DIVERGENCE) => self.divergence(strand.divergence.as_deref()),
             None => {}
         }
         self.f64(strand.energies.kinetic);
@@ -179,8 +182,8 @@ impl Writer {
         if !has(flag::SAME_CONTACT) && has(flag::HAS_CONTACT) {
             self.strand_contact(strand.contact.as_deref());
         }
-        if has(flag::HAS_ALLOWANCE) {
-            self.allowance(strand.allowance.as_deref());
+        if has(flag::HAS_PERMITTED_OVERLAP) {
+            self.permitted_overlap(strand.permitted_overlap.as_deref());
         }
     }
 }
@@ -235,24 +238,25 @@ impl Reader<'_> {
             wrench_force: self.vector()?.into(),
             wrench_torque: self.vector()?.into(),
             subdivision,
-            past: Past::default(),
+            history: History::default(),
             air: None,
         };
         if has(flag::HAS_PAST) {
-            let step = if has(flag::SAME_STEP) { earlier()?.state.past.step } else { self.f64()? };
-            state.past = self.past(step, count, points)?;
+            let step = if has(flag::SAME_STEP) { earlier()?.state.history.step } else { self.f64()? };
+            state.history = self.history(step, count, points)?;
         }
         let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
             return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
         }
-        let root_move = if has(flag::HAS_WAY) { Some(Box::new(self.root_way(flags, &state, before)?)) } else { None };
-        let fared = Fared { iterations: self.u32()?, converged: has(flag::CONVERGED), quarantined: has(flag::QUARANTINED) };
-        let (mut astray, mut known) = (None, None);
-        if has(flag::HAS_ASTRAY) {
+        let root_move = if has(flag::HAS_ROOT_MOVE) { Some(Box::new(self.root_motion(flags, &state, before)?)) } else { None };
+        let last =
+            SubstepResult { iterations: self.u32()?, converged: has(flag::CONVERGED), quarantined: has(flag::QUARANTINED) };
+        let (mut divergence, mut known) = (None, None);
+        if has(flag::HAS_DIVERGENCE) {
             match self.u32()? {
                 FROZEN => known = Some(self.frozen()?),
-                tag => astray = self.astray(tag, count)?,
+                tag => divergence = self.divergence(tag, count)?,
             }
         }
         let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
@@ -263,7 +267,7 @@ impl Reader<'_> {
             (false, true) => self.strand_contact()?,
             (false, false) => None,
         };
-        let allowance = if has(flag::HAS_ALLOWANCE) { self.allowance()? } else { None };
+        let permitted_overlap = if has(flag::HAS_PERMITTED_OVERLAP) { self.permitted_overlap()? } else { None };
         let mut strand = Strand {
             model,
             state,
@@ -272,12 +276,12 @@ impl Reader<'_> {
             authored,
             root_move,
             energies,
-            fared,
-            holds: Holds::No,
-            touched: has(flag::TOUCHED),
+            last,
+            constrained: Constrained::No,
+            touched: has(flag::IN_CONTACT),
             contact,
-            allowance,
-            astray,
+            permitted_overlap,
+            divergence,
             frozen: None,
         };
         strand.shrink();
@@ -297,19 +301,19 @@ impl Reader<'_> {
     }
 
     /// The root's way, and how many seconds of it are done.
-    fn root_way(&mut self, flags: u32, state: &StrandState, before: Option<&Strand>) -> Result<(PoseMove, f64)> {
+    fn root_motion(&mut self, flags: u32, state: &StrandState, before: Option<&Strand>) -> Result<(PoseMove, f64)> {
         let mut pose = |of_root: u32, of_past: u32| match (flags & of_root != 0, flags & of_past != 0) {
             (true, false) => Ok(state.root),
-            (false, true) if state.past.step > 0.0 => Ok(state.past.root),
+            (false, true) if state.history.step > 0.0 => Ok(state.history.root),
             (false, false) => self.frame(),
-            _ => Err(bad("a root's way repeats a pose that there is not")),
+            _ => Err(bad("a root's motion repeats a pose that there is not")),
         };
         let (from, to) = (pose(flag::FROM_ROOT, flag::FROM_PAST)?, pose(flag::TO_ROOT, flag::TO_PAST)?);
         let (velocity, angular_velocity) = (self.vector()?, self.vector()?);
         let (duration, elapsed) = if flags & flag::SAME_TIMES != 0 {
-            let way = before.and_then(|before| before.root_move.as_deref());
-            let (way, elapsed) = way.ok_or_else(|| bad("a root's way takes as long as one that there is not"))?;
-            (way.duration, *elapsed)
+            let motion = before.and_then(|before| before.root_move.as_deref());
+            let (motion, elapsed) = motion.ok_or_else(|| bad("a root's motion takes as long as one that there is not"))?;
+            (motion.duration, *elapsed)
         } else {
             (self.f64()?, self.f64()?)
         };

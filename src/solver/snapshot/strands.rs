@@ -3,11 +3,11 @@
 use super::bytes::{Reader, Writer, bad};
 use crate::error::Result;
 use crate::math::vector::Vec3;
-use crate::solver::astray::{Astray, Whereabouts};
+use crate::solver::divergence::{Divergence, DivergenceState};
 use crate::solver::freezing::Known;
 use crate::solver::id::BodyId;
 use crate::solver::strand::{Authored, Strand};
-use crate::step::state::{Earlier, Past};
+use crate::step::state::{Earlier, History};
 
 /// Marks a frozen strand.
 pub const FROZEN: u32 = 5;
@@ -23,22 +23,22 @@ impl Writer {
     }
 
     /// The record of a diverged strand.
-    pub fn astray(&mut self, astray: Option<&Astray>) {
-        let Some(Astray { bodies, state }) = astray else { return self.u32(0) };
+    pub fn divergence(&mut self, divergence: Option<&Divergence>) {
+        let Some(Divergence { bodies, state }) = divergence else { return self.u32(0) };
         match state {
-            Whereabouts::Carried { seconds } => {
+            DivergenceState::Carried { seconds } => {
                 self.u32(1);
                 self.f64(*seconds);
             }
-            Whereabouts::Lost { seconds } => {
+            DivergenceState::RolledBack { seconds } => {
                 self.u32(2);
                 self.f64(*seconds);
             }
-            Whereabouts::Behind { seconds } => {
+            DivergenceState::Behind { seconds } => {
                 self.u32(4);
                 self.f64(*seconds);
             }
-            Whereabouts::Returning { seconds, from } => {
+            DivergenceState::Returning { seconds, from } => {
                 self.u32(3);
                 self.f64(*seconds);
                 self.rows(from);
@@ -84,19 +84,19 @@ impl Writer {
         self.vector(state.wrench_force.into());
         self.vector(state.wrench_torque.into());
         self.u32(state.subdivision);
-        self.f64(state.past.step);
-        if state.past.step > 0.0 {
-            self.rows(&state.past.curvatures);
-            self.velocities(&state.past.velocities);
-            self.frame(&state.past.root);
+        self.f64(state.history.step);
+        if state.history.step > 0.0 {
+            self.rows(&state.history.curvatures);
+            self.velocities(&state.history.velocities);
+            self.frame(&state.history.root);
         }
         self.pose_move(strand.root_move.as_deref());
-        self.u32(strand.fared.iterations);
-        self.u32(u32::from(strand.fared.converged));
-        self.u32(u32::from(strand.fared.quarantined));
+        self.u32(strand.last.iterations);
+        self.u32(u32::from(strand.last.converged));
+        self.u32(u32::from(strand.last.quarantined));
         match strand.frozen.as_deref() {
             Some(frozen) => self.frozen(&frozen.bodies),
-            None => self.astray(strand.astray.as_deref()),
+            None => self.divergence(strand.divergence.as_deref()),
         }
         self.f64(strand.energies.kinetic);
         self.f64(strand.energies.elastic);
@@ -120,29 +120,29 @@ impl Reader<'_> {
         (0..count).map(|_| known(self)).collect()
     }
 
-    pub fn astray(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Astray>>> {
+    pub fn divergence(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Divergence>>> {
         let state = match tag {
             0 => return Ok(None),
-            1 => Whereabouts::Carried { seconds: self.finite("a strand's time carried along")? },
-            2 => Whereabouts::Lost { seconds: self.finite("a strand's time rolled back")? },
+            1 => DivergenceState::Carried { seconds: self.finite("a strand's time carried along")? },
+            2 => DivergenceState::RolledBack { seconds: self.finite("a strand's time rolled back")? },
             3 => {
                 let seconds = self.finite("a strand's time of return")?;
                 let from = self.rows(elements)?;
                 if !from.iter().flatten().all(|x| x.is_finite()) {
                     return Err(bad("a strand returns from a shape that is not finite"));
                 }
-                Whereabouts::Returning { seconds, from: from.into() }
+                DivergenceState::Returning { seconds, from: from.into() }
             }
-            4 => Whereabouts::Behind { seconds: self.finite("a strand's time behind a body")? },
+            4 => DivergenceState::Behind { seconds: self.finite("a strand's time behind a body")? },
             other => return Err(bad(format!("a strand has state {other}"))),
         };
         let count = self.count(8 * 7)?;
         let bodies = (0..count).map(|_| self.finite_frame("a body's pose for a strand")).collect::<Result<Vec<_>>>()?;
-        Ok(Some(Box::new(Astray { bodies, state })))
+        Ok(Some(Box::new(Divergence { bodies, state })))
     }
 
     /// The strand `step` seconds ago.
-    pub fn past(&mut self, step: f64, elements: usize, points: usize) -> Result<Past> {
+    pub fn history(&mut self, step: f64, elements: usize, points: usize) -> Result<History> {
         if !(step.is_finite() && step > 0.0) {
             return Err(bad(format!("a strand's last step took {step} s")));
         }
@@ -152,7 +152,7 @@ impl Reader<'_> {
             return Err(bad("a strand's history has a number that is not finite"));
         }
         let velocities = velocities.into_iter().map(Vec3).collect();
-        Ok(Past::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
+        Ok(History::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
     }
 
     /// The original natural shape of a strand of this length.

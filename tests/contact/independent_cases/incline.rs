@@ -47,18 +47,18 @@ fn does_not_creep(h: f64) {
 }
 
 #[test]
-fn what_friction_holds_by_half_a_percent_does_not_creep_at_60_hz() {
+fn a_strand_half_a_percent_below_sliding_does_not_creep_at_60_hz() {
     does_not_creep(1.0 / 60.0);
 }
 
 #[test]
-fn what_friction_holds_by_half_a_percent_does_not_creep_at_240_hz() {
+fn a_strand_half_a_percent_below_sliding_does_not_creep_at_240_hz() {
     does_not_creep(1.0 / 240.0);
 }
 
 /// The other side of the law: half a percent too steep it slides, all but what its root holds.
 #[test]
-fn what_is_half_a_percent_too_steep_slides() {
+fn a_strand_half_a_percent_too_steep_slides() {
     let angle = 0.38_f64;
     let (speed, _) = creep(angle, 0.995 * angle.tan(), 1.0 / 60.0, 10);
     println!("{speed:e} m/s");

@@ -131,8 +131,8 @@ fn came(fault: Fault, lying: usize) -> Came {
         }
         if step >= 30 {
             let rubs = |k: usize| {
-                let of = solver.contacts().iter().filter(|touch| touch.strand == ids[k]);
-                of.map(|touch| across(&touch.force, &touch.normal)).sum::<Vector3<f64>>().norm()
+                let of = solver.contacts().iter().filter(|contact| contact.strand == ids[k]);
+                of.map(|contact| across(&contact.force, &contact.normal)).sum::<Vector3<f64>>().norm()
             };
             let least = (1..lying).map(rubs).fold(f64::INFINITY, f64::min);
             came.frictionless += u32::from(least == 0.0);
@@ -153,27 +153,27 @@ fn others_go_on_rubbing(fault: Fault, lying: usize) {
 }
 
 #[test]
-fn what_lies_on_an_incline_rests() {
+fn strands_on_an_incline_rest() {
     others_go_on_rubbing(Fault::None, 6);
 }
 
 #[test]
-fn what_lies_beside_a_strand_pinned_out_of_reach_goes_on_rubbing() {
+fn neighbours_of_a_strand_pinned_out_of_reach_keep_their_friction() {
     others_go_on_rubbing(Fault::Pinned, 6);
 }
 
 #[test]
-fn what_lies_beside_a_strand_led_out_of_reach_goes_on_rubbing() {
+fn neighbours_of_a_strand_led_out_of_reach_keep_their_friction() {
     others_go_on_rubbing(Fault::Led, 6);
 }
 
 #[test]
-fn what_lies_beside_a_squeezed_strand_goes_on_rubbing() {
+fn neighbours_of_a_squeezed_strand_keep_their_friction() {
     others_go_on_rubbing(Fault::Squeezed, 6);
 }
 
 /// Islands of more than twenty strands are solved differently.
 #[test]
-fn what_lies_beside_a_strand_led_out_of_reach_goes_on_rubbing_in_a_larger_island() {
+fn neighbours_of_a_strand_led_out_of_reach_keep_their_friction_in_a_larger_island() {
     others_go_on_rubbing(Fault::Led, 11);
 }

@@ -126,7 +126,7 @@ fn penalties_report_their_depth() {
                 deepest = deepest.max(in_ball).max(any);
             }
             println!(
-                "{model:?}, {iterations:?}: told {least:.3} of the depth in the ball, {least_any:.3} of any; deepest {deepest:e} m"
+                "{model:?}, {iterations:?}: reported {least:.3} of the depth in the ball, {least_any:.3} of any; deepest {deepest:e} m"
             );
             if least < 0.9 || least_any < 0.9 {
                 failed.push((model, iterations, least, least_any));
@@ -153,7 +153,7 @@ fn chosen_iteration_limits_are_not_reported_as_unconverged() {
                     (strands, islands) = (strands + report.unconverged, islands + report.contact.unconverged);
                 }
             }
-            println!("{model:?}, {iterations}: {strands} strands and {islands} islands told in 60 steps of 60 strands");
+            println!("{model:?}, {iterations}: {strands} strands and {islands} islands reported in 60 steps of 60 strands");
             if strands + islands > 0 {
                 failed.push((model, iterations, strands, islands));
             }

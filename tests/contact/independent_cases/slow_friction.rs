@@ -96,7 +96,7 @@ fn a_short_strand_on_a_belt(speed: f64, h: f64, boxed: bool) -> Run {
 /// A strand that sticks to a belt bends as statics says, and slides at μN: 1 % of that. (The spring is that of a continuous rod: six elements have
 /// it within 1 %, and so 2 % are allowed while it sticks.) Friction takes work away and gives none.
 #[test]
-fn a_belt_draws_at_a_short_strand_however_slow_it_is() {
+fn a_belt_pulls_at_a_short_strand_however_slow_it_is() {
     let mut failed = Vec::new();
     for boxed in [false, true] {
         for h in [1.0 / 60.0, 1.0 / 240.0] {
@@ -167,7 +167,7 @@ fn a_hanging_strand_on_a_belt(speed: f64, h: f64) -> (Run, f64) {
 /// See above. A strand that was only taken along so far draws back by its stiffness and weight, never by nothing: at a millimetre that is half
 /// a hundredth of μN at least.
 #[test]
-fn a_belt_draws_at_a_strand_that_hangs_onto_it_however_slow_it_is() {
+fn a_belt_pulls_at_a_strand_hanging_onto_it_however_slow_it_is() {
     let mut failed = Vec::new();
     for h in [1.0 / 60.0, 1.0 / 240.0] {
         for speed in SPEEDS {

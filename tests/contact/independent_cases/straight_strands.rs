@@ -99,7 +99,7 @@ fn pushed(down: Down, elements: usize, below: Below, way: f64, root_moves: bool)
     Pushed { deep, told, unconverged, hash: solver.state_hash() }
 }
 
-/// A tenth of a millimetre: ten times the tolerance of touches.
+/// A tenth of a millimetre: ten times the tolerance of contacts.
 fn none_is_deep(below: Below, root_moves: bool) {
     let mut failed = Vec::new();
     for down in [Down::Z, Down::X] {
@@ -143,7 +143,7 @@ fn a_strand_that_is_pushed_down_onto_a_ball_bends() {
 
 /// It has no reason to bend to one side and not to another, but bends the same way in every run.
 #[test]
-fn which_way_a_straight_strand_bends_is_the_same_in_every_run() {
+fn a_straight_strand_bends_to_the_same_side_in_every_run() {
     for down in [Down::Z, Down::X] {
         let runs = [0, 1].map(|_| pushed(down, 5, Below::HalfSpace, 0.02, false));
         println!("{runs:?}");
@@ -174,7 +174,7 @@ fn a_pin_that_pushes_along_a_straight_strand_holds() {
                 let state = solver.constraint_state(pin).unwrap();
                 let off = (point(&solver, id, LENGTH) - (tip - direction * 0.01)).norm();
                 println!(
-                    "down {down:?}, {elements} elements, {steps} steps: off {off:e} m, told {:e}, {:?}",
+                    "down {down:?}, {elements} elements, {steps} steps: off {off:e} m, reported {:e}, {:?}",
                     state.error, state.status
                 );
                 if off > 1e-6 || state.error > 1e-6 || state.status != ConstraintStatus::Holds {
@@ -230,7 +230,7 @@ fn seven_pinned(tied: bool) -> (f64, Vec<ConstraintStatus>) {
 }
 
 #[test]
-fn of_seven_pins_none_is_let_go_where_one_pushes_along_its_strand() {
+fn no_pin_of_seven_is_released_if_one_pushes_along_its_strand() {
     let runs = [true, false].map(seven_pinned);
     for (run, how) in runs.iter().zip(["tied", "touching"]) {
         println!("{how}: farthest {:e} m off, {:?}", run.0, run.1);

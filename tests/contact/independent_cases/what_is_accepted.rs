@@ -16,7 +16,7 @@ const STICKS: f64 = 1e-5;
 struct Worst {
     /// Normal force below zero.
     pulls: f64,
-    /// Normal force where the surfaces are apart by more than the tolerance of touches.
+    /// Normal force where the surfaces are apart by more than the tolerance of contacts.
     at_distance: f64,
     /// How deep a contact is, m.
     deep: f64,
@@ -105,7 +105,7 @@ fn run(h: f64, most: f64, often: f64) -> (Worst, u32) {
             }
         }
     }
-    println!("h 1/{:.0}, {most} rad at {often} Hz, {told} steps told as unconverged; told as solved: {worst:?}", 1.0 / h);
+    println!("h 1/{:.0}, {most} rad at {often} Hz, {told} steps reported as unconverged; reported as solved: {worst:?}", 1.0 / h);
     println!("    all: {all:?}");
     (worst, told)
 }

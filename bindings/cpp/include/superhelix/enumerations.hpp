@@ -291,8 +291,8 @@ struct constraint_status {
 // SHX_HAPTIC_MODE_
 struct haptic_mode {
   enum type : std::uint32_t {
-    // The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches the tool, and
-    // shx_haptic_update solves contact anew with the device's newest pose, at the device's rate.
+    // The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of the tool's contacts, and
+    // shx_haptic_update solves the contact problem of that model for the device's newest pose, at the device's rate.
     hand_over = SHX_HAPTIC_MODE_HAND_OVER,
     // The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step.
     direct = SHX_HAPTIC_MODE_DIRECT,

@@ -256,8 +256,8 @@ class HapticMode(IntEnum):
     """What HapticDef.mode may be."""
 
     HAND_OVER = 1
-    """The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches the tool, and
-    shx_haptic_update solves contact anew with the device's newest pose, at the device's rate."""
+    """The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of the tool's contacts, and
+    shx_haptic_update solves the contact problem of that model for the device's newest pose, at the device's rate."""
     DIRECT = 2
     """The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step."""
 

@@ -5,9 +5,10 @@ These functions do what the command line's simulate and interpolate do. prepare 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -25,10 +26,18 @@ from superhelix.records import ContactOptions, FitOptions, Material, Settings, S
 from superhelix.solver import Solver
 from superhelix.strand_defs import StrandDefs
 
+if TYPE_CHECKING:
+    from superhelix.usd import HairWriter
+
 Numbers = npt.NDArray[np.float64]
 
 _MOST_ELEMENTS = 100
 _REFITS = 12
+
+
+def is_binary_usd(path: Path) -> bool:
+    """Whether a path is that of a USD file that only superhelix.usd reads and writes."""
+    return os.fsdecode(path).lower().endswith((".usdc", ".usdz", ".usd"))
 
 
 @dataclass
@@ -56,10 +65,16 @@ class Groom:
     @classmethod
     def read(cls, path: Path, *, scale: float | None = None, up_axis: UpAxis | None = None, every: int = 1) -> Groom:
         """Reads a groom file. scale: metres per file unit; None: as the file states, else 1, with an error if no hair has such a length. up_axis: None:
-        as the file states, else y. every: 2 takes every second strand, and so on.
+        as the file states, else y. every: 2 takes every second strand, and so on. Binary USD (.usdc, .usdz, .usd) needs superhelix[usd], whose
+        superhelix.usd.read_hair has more choices.
         """
         if every < 1:
             raise ValueError(f"every: {every}; at least 1 expected")
+        if is_binary_usd(path):
+            from superhelix.usd import read_hair
+
+            groom = read_hair(path, metres_per_unit=scale).select(slice(None, None, every)).groom()
+            return groom if up_axis is None else cls(groom.points, groom.point_counts, up_axis, groom.metres_per_unit, groom.arclengths)
         with Curves(path) as curves:
             units, counts = curves.units(), curves.point_counts()
             metres = scale if scale is not None else (units.metres or 1.0)
@@ -253,7 +268,8 @@ def simulate(
     settings: Settings | None = None,
     **preparation: Any,
 ) -> Simulation:
-    """Simulates a groom on a moving head for duration seconds at fps frames per second. With cache, also writes a .usda file with velocities.
+    """Simulates a groom on a moving head for duration seconds at fps frames per second. With cache, also writes a USD file with velocities: .usda, or
+    with superhelix[usd] .usdc or .usdz, which have material frames and widths too.
 
     motion: the head's frame at a time; at the time start the groom is as drawn. substeps: steps per frame (default: 2, or as settings say).
     progress(frame, frames) is called after each frame. preparation: arguments of prepare.
@@ -298,17 +314,42 @@ def _write_frame(
     made: GroomSolver,
     groom: Groom,
     cache: Path,
-    writer: CurveCacheWriter | None,
+    writer: CurveCacheWriter | HairWriter | None,
     fps: float,
     time: float,
     points: npt.NDArray[np.float32],
-) -> CurveCacheWriter:
+) -> CurveCacheWriter | HairWriter:
     """Writes a frame of the cache, in the groom's own units."""
+    velocities = made.solver.sample_velocities(points.shape[1], made.strands)
+    if is_binary_usd(cache):
+        return _write_usd_frame(made, groom, cache, writer, fps, time, points, velocities)
     scale = 1.0 / groom.metres_per_unit
-    velocities = made.solver.sample_velocities(points.shape[1], made.strands) * scale
-    rows = points * np.float32(scale)
+    rows, velocities = points * np.float32(scale), velocities * scale
     if writer is None:
         data = CurveData(rows, velocities=velocities, up_axis=groom.up_axis, metres_per_unit=groom.metres_per_unit)
         writer = CurveCacheWriter(cache, data, fps)
     writer.write(time, rows, velocities)
     return writer
+
+
+def _write_usd_frame(
+    made: GroomSolver,
+    groom: Groom,
+    cache: Path,
+    writer: Any,
+    fps: float,
+    time: float,
+    points: npt.NDArray[np.float32],
+    velocities: Numbers,
+) -> HairWriter:
+    """The same in binary USD, with frames and widths."""
+    from superhelix.usd import HairWriter
+
+    if writer is None:
+        counts = np.full(points.shape[0], points.shape[1])
+        widths = [2.0 * max(made.solver.material(strand).radius) for strand in made.strands]
+        options: dict[str, Any] = {"up_axis": groom.up_axis, "metres_per_unit": groom.metres_per_unit, "widths": widths}
+        writer = HairWriter(cache, counts, frames_per_second=fps, primvars={"superhelix:curve": made.indices}, **options)
+    writer.write(time, points, velocities, made.solver.sample_frames(points.shape[1], made.strands))
+    made_writer: HairWriter = writer
+    return made_writer

@@ -21,7 +21,7 @@ const SAMPLES: usize = 16;
 /// Steps before the clock starts, after which the motion is under way, and steps a sample.
 const WARM_UP: u32 = 12;
 const STEPS: u32 = 4;
-/// Samples at least: their median is told.
+/// Samples at least: their median is reported.
 const AT_LEAST: usize = 3;
 
 /// Measures what the engine costs on this machine, in about ten seconds: 512 strands of wavy hair on a walking head, the default

@@ -11,7 +11,7 @@ use crate::shell::argument_values::positive;
 use crate::shell::failure::Failure;
 use crate::shell::frame_files::list_frames;
 
-/// Writes a groom in another format, told by the name's end: .hair, .tfx, .obj, .usda. Says what the format has no place for.
+/// Writes a groom in another format, chosen by the name's end: .hair, .tfx, .obj, .usda. Says what the format has no place for.
 ///
 /// From and to caches: with --fps a directory of frames (name.0001.obj ...) becomes one .usda file with time samples, and a .usda file with
 /// time samples becomes a directory of frames.

@@ -18,7 +18,7 @@ use crate::shell::up::Up;
 
 /// Elements a strand where it is not said how many there are, unless a stretch of it turns them by more than a quarter turn; and the most then.
 const USUAL_ELEMENTS: u32 = 40;
-const MOST_ELEMENTS: usize = 1000;
+const MAX_ELEMENTS: usize = 1000;
 
 /// Makes a lock of hair of a kind as a scene: strands side by side with the natural curl that was measured, and what varies between and along
 /// them.
@@ -106,10 +106,10 @@ fn strand(
         let lengths = vec![arguments.length / count as f64; count];
         let varied = hair.strand(u64::from(index), &lengths).map_err(in_words_of_flags)?;
         let turn = largest_turn(&lengths, &varied.natural);
-        if arguments.elements.is_some() || turn <= FRAC_PI_2 || count >= MOST_ELEMENTS {
+        if arguments.elements.is_some() || turn <= FRAC_PI_2 || count >= MAX_ELEMENTS {
             break (lengths, varied);
         }
-        count = ((count as f64 * turn / FRAC_PI_2).ceil() as usize).clamp(count + 1, MOST_ELEMENTS);
+        count = ((count as f64 * turn / FRAC_PI_2).ceil() as usize).clamp(count + 1, MAX_ELEMENTS);
     };
     // Roots on a spiral, by the golden angle: evenly, and as many as one likes.
     let (radius, angle) = (arguments.spacing * f64::from(index).sqrt() * 0.6, 2.399_963_229_728_653 * f64::from(index));

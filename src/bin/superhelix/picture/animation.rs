@@ -6,7 +6,7 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, Writer};
 use tiny_skia::Pixmap;
 
 /// Most frames a second: delays are written in hundredths of one.
-pub const MOST_PER_SECOND: f64 = 600.0;
+pub const MAX_PER_SECOND: f64 = 600.0;
 
 /// An animation on its way into a file.
 pub struct Animation<W: Write> {
@@ -14,7 +14,7 @@ pub struct Animation<W: Write> {
 }
 
 impl<W: Write> Animation<W> {
-    /// Of so many frames of a size (pixels), so many a second (0.01 to [`MOST_PER_SECOND`]), played again and again.
+    /// Of so many frames of a size (pixels), so many a second (0.01 to [`MAX_PER_SECOND`]), played again and again.
     pub fn new(file: W, size: [u32; 2], frames: u32, per_second: f64) -> Result<Self, EncodingError> {
         let mut encoder = Encoder::new(file, size[0], size[1]);
         encoder.set_color(ColorType::Rgb);

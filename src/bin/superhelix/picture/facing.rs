@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn fur_all_round_says_nothing() {
+    fn fur_all_round_gives_no_direction() {
         let head = Surface::ellipsoid(Vector3::repeat(0.1));
         assert_eq!(face_of(&roots(Vector3::zeros(), Vector3::y()), &head, Up::Y), None);
         assert_eq!(face_of(&[], &head, Up::Y), None);

@@ -98,7 +98,7 @@ impl Footage {
     }
 
     fn find_hair(&mut self, request: &Request, first: &Moment) -> Result<(), Failure> {
-        let guides = grown::LEAST_GUIDES..grown::MOST_GUIDES;
+        let guides = grown::LEAST_GUIDES..grown::MAX_GUIDES;
         let usual = if self.is_replay() || !guides.contains(&first.strands.len()) { 0 } else { grown::USUAL };
         let count = request.hairs.unwrap_or(usual);
         self.too_few = request.hairs.is_none() && !self.is_replay() && first.strands.len() < grown::LEAST_GUIDES;

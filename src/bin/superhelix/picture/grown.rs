@@ -23,7 +23,7 @@ const FRIZZ: f64 = 0.004;
 /// Fewer guides than this are too few to grow hair among, and as many as this need none.
 pub const LEAST_GUIDES: usize = 30;
 /// See [`LEAST_GUIDES`].
-pub const MOST_GUIDES: usize = 3000;
+pub const MAX_GUIDES: usize = 3000;
 /// Hairs that are grown where it is not said how many.
 pub const USUAL: usize = 20_000;
 

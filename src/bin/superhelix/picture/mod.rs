@@ -49,7 +49,7 @@ use crate::shell::atomic_file::AtomicFile;
 use crate::shell::failure::Failure;
 use crate::shell::progress;
 use crate::shell::up::Up;
-use animation::{Animation, MOST_PER_SECOND};
+use animation::{Animation, MAX_PER_SECOND};
 pub use cell::Manner;
 use cell::Pen;
 use footage::{Footage, Request};
@@ -141,9 +141,9 @@ pub struct PictureArguments {
 }
 
 /// Most frames a second of an animation that browsers keep up with.
-const MOST_RATE: f64 = 60.0;
+const MAX_RATE: f64 = 60.0;
 /// Most frames of an animation.
-const MOST_FRAMES: f64 = 10_000.0;
+const MAX_FRAMES: f64 = 10_000.0;
 /// What rounding may make of half way between two frames, s.
 const HALF_WAY: f64 = 1e-9;
 /// Height over width of a view in an animation.
@@ -151,8 +151,8 @@ const SHAPE: [f32; 2] = [0.75, 1.35];
 
 /// Runs the command.
 pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
-    if arguments.rate > MOST_RATE.min(MOST_PER_SECOND) {
-        return Err(Failure::Other(format!("--rate is {}; expected at most {MOST_RATE}", arguments.rate)));
+    if arguments.rate > MAX_RATE.min(MAX_PER_SECOND) {
+        return Err(Failure::Other(format!("--rate is {}; expected at most {MAX_RATE}", arguments.rate)));
     }
     let open = |path| -> Result<(&Path, AtomicFile), Failure> { Ok((path, AtomicFile::create(path)?)) };
     let sheet = arguments.out.as_deref().map(open).transpose()?;
@@ -286,8 +286,8 @@ fn at_rate(times: &[Option<f64>], rate: f64) -> Result<Vec<usize>, Failure> {
     let times = known.ok_or_else(|| Failure::Other("--animate needs --fps, the frames a second of these files".into()))?;
     let (first, last) = (times[0], times[times.len() - 1]);
     let count = ((last - first) * rate + 1e-6).floor() + 1.0;
-    if count > MOST_FRAMES {
-        return Err(Failure::Other(format!("--rate is {rate}: {count} frames; expected {MOST_FRAMES} at most")));
+    if count > MAX_FRAMES {
+        return Err(Failure::Other(format!("--rate is {rate}: {count} frames; expected {MAX_FRAMES} at most")));
     }
     let nearest = |k: usize| {
         let time = first + k as f64 / rate;

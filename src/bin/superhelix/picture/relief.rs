@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_face_says_nothing() {
+    fn a_shape_without_a_face_gives_no_direction() {
         for body in [
             Surface::default(),
             Surface::ellipsoid(Vector3::new(0.08, 0.12, 0.1)),

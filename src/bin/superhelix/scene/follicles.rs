@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use superhelix::hair::{Amount, Density, MOST_FOLLICLES, ScatterOptions};
+use superhelix::hair::{Amount, Density, MAX_FOLLICLES, ScatterOptions};
 use superhelix::io::obj_mesh;
 use superhelix::{Error, Frame};
 
@@ -18,7 +18,7 @@ pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
     let scale = entries.or("scale", 1.0, Node::positive)?;
     let pose = entries.or("pose", Frame::default(), read_pose)?;
     let amount = match (entries.get("count"), entries.get("spacing")) {
-        (Some(count), None) => Amount::Count(count.whole(1..=MOST_FOLLICLES as u64)? as usize),
+        (Some(count), None) => Amount::Count(count.whole(1..=MAX_FOLLICLES as u64)? as usize),
         (None, Some(spacing)) => Amount::Spacing(spacing.positive()?),
         (Some(_), Some(spacing)) => return Err(spacing.complain("no such key beside count")),
         (None, None) => return Err(Complaint::new(entries.path("count"), "is missing; expected it or spacing")),

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use superhelix::Error;
-use superhelix::hair::MOST_FOLLICLES;
+use superhelix::hair::MAX_FOLLICLES;
 use superhelix::io::{Curves, time_as_read};
-use superhelix::render::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
+use superhelix::render::{MAX_GUIDES, MAX_POINTS, MAX_WISPS, RenderSettings, Space};
 
 use super::Scene;
 use super::colliders::{file_complaint, path_of};
@@ -146,15 +146,15 @@ fn read_settings(node: &Node, entries: &Entries, scene: &Scene) -> Result<Render
     });
     let ratio = number("max_tip_ratio", defaults.max_tip_ratio)?;
     let settings = RenderSettings {
-        points_per_strand: count("points", defaults.points_per_strand, 2, MOST_POINTS)?,
+        points_per_strand: count("points", defaults.points_per_strand, 2, MAX_POINTS)?,
         space: entries
             .or("space", defaults.space, |node| node.choice(&[("position", Space::Position), ("curvature", Space::Curvature)]))?,
-        guides_per_strand: count("guides_per_strand", defaults.guides_per_strand, 1, MOST_GUIDES)?,
+        guides_per_strand: count("guides_per_strand", defaults.guides_per_strand, 1, MAX_GUIDES)?,
         curliness: given.transpose()?.unwrap_or(defaults.curliness),
         measure_curliness: measured,
         max_tip_distance: entries.get_unless_null("max_tip_distance").map_or(Ok(f64::INFINITY), Node::positive)?,
         max_tip_ratio: if ratio > 0.0 { ratio } else { f64::INFINITY },
-        wisps_per_guide: count("wisps", defaults.wisps_per_guide, 1, MOST_WISPS)?,
+        wisps_per_guide: count("wisps", defaults.wisps_per_guide, 1, MAX_WISPS)?,
         wisp_profile: entries.or("wisp_profile", defaults.wisp_profile, Node::numbers)?,
         frizz: number("frizz", defaults.frizz)?,
         frizz_waves: entries.or("frizz_waves", defaults.frizz_waves, Node::positive)?,
@@ -195,7 +195,7 @@ fn read_ground(entries: &Entries, times: &[Option<f64>], directory: &Path) -> Re
         }
         return read_roots(roots, directory);
     }
-    let count = count.map_or(Ok(DEFAULT_COUNT), |node| Ok(node.whole(1..=MOST_FOLLICLES as u64)? as usize))?;
+    let count = count.map_or(Ok(DEFAULT_COUNT), |node| Ok(node.whole(1..=MAX_FOLLICLES as u64)? as usize))?;
     scalp.map_or(Ok(Ground::Among(count)), |scalp| read_scalp(scalp, count, times, directory))
 }
 

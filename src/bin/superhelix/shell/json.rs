@@ -44,7 +44,7 @@ pub fn parse(text: &str) -> Result<Value, Complaint> {
         let key = path.borrow().clone();
         let near = plain.lines().nth(error.line().saturating_sub(1)).unwrap_or("").trim();
         let near: String = near.chars().take(80).collect();
-        // Syntax errors are told with the place: the key is the last one that was begun, the value is in the line shown.
+        // Syntax errors are reported with the place: the key is the last one that was begun, the value is in the line shown.
         Complaint::new(key, format!("cannot be read: {error}, near `{near}`"))
     })
 }

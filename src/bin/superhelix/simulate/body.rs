@@ -56,7 +56,7 @@ pub struct BodyArguments {
 /// What becomes of strands that are drawn inside the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DrawnInside {
-    /// They are drawn anew outside of it, by the least that does.
+    /// They are drawn again outside it, by the least that does.
     BroughtOut,
     /// They stay as drawn.
     Kept,

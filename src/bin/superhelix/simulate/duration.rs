@@ -7,14 +7,14 @@ use crate::shell::failure::Failure;
 use crate::shell::up::Up;
 
 /// Most frames of a run: nine hours of film at 30 a second.
-const MOST_FRAMES: f64 = 1e6;
+const MAX_FRAMES: f64 = 1e6;
 
 /// Frames of a run, the one at the start included.
 pub fn count_frames(duration: f64, fps: f64) -> Result<usize, Failure> {
     let frames = (duration * fps + 1e-9).floor() + 1.0;
-    if frames > MOST_FRAMES {
+    if frames > MAX_FRAMES {
         return Err(Failure::Other(format!(
-            "{duration} s at {fps} frames a second are {frames:.0} frames; expected {MOST_FRAMES} at most"
+            "{duration} s at {fps} frames a second are {frames:.0} frames; expected {MAX_FRAMES} at most"
         )));
     }
     Ok(frames as usize)

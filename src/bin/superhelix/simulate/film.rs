@@ -133,7 +133,7 @@ fn views(arguments: &SimulateArguments, moments: &[Moment]) -> Result<Vec<View>,
 /// Grows hair among the strands where they are guides, on the body where there is one. The first moment is that of the start.
 fn grow(moments: &mut [Moment], arguments: &SimulateArguments, scale: f64) -> Result<(), Failure> {
     let Some(first) = moments.first() else { return Ok(()) };
-    if !(grown::LEAST_GUIDES..grown::MOST_GUIDES).contains(&first.strands.len()) {
+    if !(grown::LEAST_GUIDES..grown::MAX_GUIDES).contains(&first.strands.len()) {
         return Ok(());
     }
     let scalp = arguments.bodies.path().map(|path| {

@@ -56,9 +56,9 @@ pub struct ContactReport {
 impl ContactReport {
     /// Adds a step's tally; `steps` have been taken with it, `of_this` of them in it.
     fn add(&mut self, step: &ContactTally, of_this: u64, steps: u64) {
-        self.contacts_max = self.contacts_max.max(step.touches);
+        self.contacts_max = self.contacts_max.max(step.contacts);
         if steps > 0 {
-            self.contacts_mean += (f64::from(step.touches) - self.contacts_mean) * of_this as f64 / steps as f64;
+            self.contacts_mean += (f64::from(step.contacts) - self.contacts_mean) * of_this as f64 / steps as f64;
         }
         self.penetration_max = self.penetration_max.max(step.penetration);
         self.iterations_max = self.iterations_max.max(step.iterations);

@@ -12,7 +12,7 @@ use crate::shell::failure::Failure;
 /// Nodes apart, of the body's longest side, and the least and most of that, m.
 const CELL_OF_SIDE: f64 = 0.01;
 const LEAST_CELL: f64 = 1e-3;
-const MOST_CELL: f64 = 5e-3;
+const MAX_CELL: f64 = 5e-3;
 /// How far the grid reaches beyond the surface, m: what hair goes in a step of 1/60 s at 2 m/s.
 const BAND: f64 = 0.035;
 
@@ -33,7 +33,7 @@ pub fn bake(
     quiet: bool,
 ) -> Result<Baked, Failure> {
     let bounds = Bounds::of_points(vertices.iter().copied());
-    let cell = cell.unwrap_or_else(|| ((bounds.high - bounds.low).max() * CELL_OF_SIDE).clamp(LEAST_CELL, MOST_CELL));
+    let cell = cell.unwrap_or_else(|| ((bounds.high - bounds.low).max() * CELL_OF_SIDE).clamp(LEAST_CELL, MAX_CELL));
     let place = place(path, vertices, triangles, cell);
     if place.is_file() {
         match distance_grid::read(&place) {
@@ -65,7 +65,7 @@ pub fn bake(
     Ok(Baked { grid, kept })
 }
 
-/// Where the grid of these numbers is kept. (The hash may be another in another version of the standard library: then it is baked anew.)
+/// Where the grid of these numbers is kept. (The hash may be another in another version of the standard library: then it is baked again.)
 fn place(path: &Path, vertices: &[Vector3<f64>], triangles: &[[u32; 3]], cell: f64) -> PathBuf {
     let mut hasher = DefaultHasher::new();
     for number in vertices.iter().flatten().chain([&cell, &BAND]) {

@@ -321,8 +321,8 @@ namespace Superhelix
   public enum HapticMode : uint
   {
     /// <summary>
-    /// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches the tool, and
-    /// shx_haptic_update solves contact anew with the device's newest pose, at the device's rate.
+    /// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of the tool's contacts, and
+    /// shx_haptic_update solves the contact problem of that model for the device's newest pose, at the device's rate.
     /// </summary>
     HandOver = 1,
     /// <summary>

@@ -8,7 +8,7 @@ use superhelix::io::Curves;
 use crate::groom::statistics::Spread;
 
 /// Elements at most.
-const MOST: usize = 100;
+const MAX_COUNT: usize = 100;
 /// Strands looked at, evenly spread over the file.
 const SAMPLE: usize = 32;
 
@@ -59,7 +59,7 @@ impl Suggested {
             None => "none will do".into(),
         };
         if self.unmet > 0 {
-            text += &format!("; {} strands are not met by {MOST}", self.unmet);
+            text += &format!("; {} strands are not met by {MAX_COUNT}", self.unmet);
         }
         text
     }
@@ -78,10 +78,10 @@ fn least(curve: &FitCurve<'_>, tolerance: f64) -> Option<usize> {
     };
     let (mut low, mut high) = (0, 1);
     while !met(high) {
-        if high == MOST {
+        if high == MAX_COUNT {
             return None;
         }
-        (low, high) = (high, (2 * high).min(MOST));
+        (low, high) = (high, (2 * high).min(MAX_COUNT));
     }
     while high - low > 1 {
         let middle = low + (high - low) / 2;

@@ -44,7 +44,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_triangle_covers_its_area_whichever_way_it_is_wound_and_no_other_row() {
+    fn a_triangle_of_either_winding_covers_its_area_and_no_other_row() {
         for corners in [[[2.0, 3.0], [80.0, 10.0], [30.0, 90.0]], [[2.0, 3.0], [30.0, 90.0], [80.0, 10.0]]] {
             let mut count = 0.0;
             cover(corners, &Raster { width: 100, rows: 0..100 }, |x, y, shares| {

@@ -1,0 +1,238 @@
+//! Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they
+//! are small, which costs little. Each half begins where the one before has ended; halves are halved again as often as the
+//! steps of unconstrained strands ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The
+//! other strands are already at the end and are not seen meanwhile: an island that ends deeper in them than before keeps its
+//! end of the whole substep.
+
+use super::account::{Account, ContactTally};
+use super::{ConstrainedSubstep, Scene};
+use crate::contact::body::{Body, BodyAt};
+use crate::contact::constrained_strand::ConstrainedStrand;
+use crate::contact::contact_point::Partner;
+use crate::contact::island::{FEW, Island};
+use crate::meter::Stopped;
+use crate::solver::deep_places::CurrentScene;
+use crate::solver::report::Wrench;
+use crate::solver::strand::{Constrained, Strand, Tally};
+use crate::step::StrandOutcome;
+
+/// Overlap of more than this many tolerances is deep.
+const DEEP: f64 = 2.0;
+
+/// A strand that is to take the substep in substeps.
+#[derive(Debug)]
+pub(super) struct BeforeSubsteps {
+    /// Its index among the constrained strands.
+    strand: usize,
+    /// The strand before the substep.
+    before: Strand,
+}
+
+/// The results of substeps.
+#[derive(Debug, Default)]
+pub(super) struct Substeps {
+    reported: ContactTally,
+    /// On the bodies, of the last substep.
+    wrenches: Vec<Wrench>,
+    /// Of the strands that keep their results.
+    outcomes: Vec<StrandOutcome>,
+}
+
+impl ConstrainedSubstep {
+    /// Selects the islands that take the substep in substeps, and returns their strands as they were before it.
+    pub(super) fn choose_subdivided(&mut self, scene: &Scene) -> Vec<BeforeSubsteps> {
+        let deep = DEEP * scene.options.tolerance;
+        for island in self.islands[..self.island_count].iter_mut() {
+            let may = island.failed() && !island.has_bilateral() && !scene.options.model.is_soft();
+            // (A large tangle that cannot be satisfied is expensive. Substeps do not separate what two surfaces push into each
+            // other.)
+            let large = !scene.is_nested && (island.ending.diverged || island.left.newly > deep);
+            let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
+            island.is_subdivided = may && (few || large);
+        }
+        let strands = &self.strands;
+        let taking = (0..self.count).filter(|constrained| self.is_subdivided(*constrained));
+        taking
+            .map(|constrained| BeforeSubsteps {
+                strand: constrained,
+                before: scene.strands[strands[constrained].index as usize].clone(),
+            })
+            .collect()
+    }
+
+    /// Takes the selected islands through the two halves of a substep of `h` seconds, which may be halved `levels` times more.
+    /// Islands that the whole substep left less deep return to that.
+    pub(super) fn take_substeps(&mut self, scene: &mut Scene, h: f64, levels: u32, taking: &[BeforeSubsteps]) -> Substeps {
+        let index =
+            |constrained_substep: &Self, taking: &BeforeSubsteps| constrained_substep.strands[taking.strand].index as usize;
+        let whole: Vec<Strand> = taking.iter().map(|taking| scene.strands[index(self, taking)].clone()).collect();
+        let bodies = Self::bodies_at_end(scene, h);
+        while self.islands[..self.island_count].iter().any(|island| island.is_subdivided) {
+            for taking in taking.iter().filter(|taking| self.is_subdivided(taking.strand)) {
+                scene.strands[index(self, taking)].clone_from(&taking.before);
+            }
+            let mut substeps = self.take_halves(scene, h, levels);
+            if scene.meter.stopped() != Stopped::No {
+                // Some are in the middle of it.
+                for (taking, whole) in taking.iter().zip(&whole) {
+                    scene.strands[index(self, taking)].clone_from(whole);
+                }
+                self.islands[..self.island_count].iter_mut().for_each(|island| island.is_subdivided = false);
+                return Substeps::default();
+            }
+            // The substeps' own depths are not those at the end, and do not include the other strands.
+            substeps.reported.penetration = 0.0;
+            let (left, mut some_go_back) = (self.depths(scene, &bodies, |constrained| self.is_subdivided(constrained)), false);
+            for (k, island) in self.islands[..self.island_count].iter_mut().enumerate().filter(|(_, island)| island.is_subdivided)
+            {
+                let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
+                // (Strands that stayed as they were when the step began have no end to return to.)
+                island.is_subdivided = left[k] <= most || island.ending.diverged;
+                some_go_back |= !island.is_subdivided;
+                substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
+            }
+            if !some_go_back {
+                return substeps;
+            }
+            // The others repeat their substeps: some of the strands that they met now end elsewhere.
+            for (taking, whole) in taking.iter().zip(&whole).filter(|(taking, _)| !self.is_subdivided(taking.strand)) {
+                scene.strands[index(self, taking)].clone_from(whole);
+            }
+        }
+        Substeps::default()
+    }
+
+    fn take_halves(&mut self, scene: &mut Scene, h: f64, levels: u32) -> Substeps {
+        let mut shorter = self.shorter.take().unwrap_or_default();
+        shorter.forget();
+        let mut bodies = (scene.copies)();
+        let taking: Vec<usize> = (0..self.count).filter(|constrained| self.is_subdivided(*constrained)).collect();
+        let begin = |constrained: &usize| {
+            let StrandOutcome { iterations, .. } = self.strands[*constrained].step.outcome;
+            StrandOutcome { converged: true, substeps: 0, iterations, ..StrandOutcome::default() }
+        };
+        let mut outcomes: Vec<StrandOutcome> = taking.iter().map(begin).collect();
+        let (half, mut reported) = (0.5 * h, ContactTally::default());
+        let mut wrenches = vec![Wrench::default(); bodies.len()];
+        for _ in 0..2 {
+            scene.strands.iter_mut().for_each(|strand| strand.constrained = Constrained::No);
+            for constrained in &taking {
+                scene.strands[self.strands[*constrained].index as usize].constrained = Constrained::Yes;
+            }
+            wrenches.fill(Wrench::default());
+            bodies.iter_mut().for_each(|body| body.begin(half));
+            let copies = || bodies.clone();
+            let at: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.at(k as u32, half)).collect();
+            // They have no bilateral constraints.
+            let (strands, constraints) = (&mut *scene.strands, &mut [][..]);
+            let mut part = Scene { strands, constraints, bodies: &at, copies: &copies, is_nested: true, ..*scene };
+            let account = Account { tally: &mut Tally::default(), contact: &mut reported, wrenches: &mut wrenches };
+            shorter.take(&mut part, half, levels, account);
+            bodies.iter_mut().for_each(|body| body.finish(half));
+            for (outcome, part) in outcomes.iter_mut().zip(&shorter.strands[..shorter.count]) {
+                outcome.add_constrained_substep(&part.step.outcome);
+            }
+        }
+        for (constrained, outcome) in taking.iter().zip(&outcomes) {
+            scene.strands[self.strands[*constrained].index as usize].last = outcome.into();
+        }
+        self.shorter = Some(shorter);
+        Substeps { reported, wrenches, outcomes }
+    }
+
+    /// Adds the results of substeps to the report.
+    pub(super) fn add_substeps(&mut self, substeps: &Substeps, account: Account) {
+        let taking: Vec<usize> = (0..self.count).filter(|constrained| self.is_subdivided(*constrained)).collect();
+        for (constrained, outcome) in taking.into_iter().zip(&substeps.outcomes) {
+            self.strands[constrained].step.outcome = *outcome;
+            account.tally.add(outcome);
+        }
+        account.contact.add_substeps(&substeps.reported);
+        for (wrench, found) in account.wrenches.iter_mut().zip(&substeps.wrenches) {
+            wrench.force += found.force;
+            wrench.torque += found.torque;
+        }
+        if let Some(shorter) = self.shorter.as_deref_mut().filter(|_| !substeps.outcomes.is_empty()) {
+            self.contacts.append(&mut shorter.contacts);
+            self.detection.keep_warm_start_of(&shorter.detection);
+        }
+    }
+
+    /// Whether a strand takes the substep in substeps, so that its end of the whole one is dropped.
+    pub(super) fn is_subdivided(&self, constrained: usize) -> bool {
+        self.islands[self.strands[constrained].island as usize].is_subdivided
+    }
+
+    /// Measures the depth of islands with strands that move with their roots or are rolled back: for these the end of the
+    /// iteration no longer counts. (Not within a nested substep, nor of islands that are subdivided.)
+    pub(super) fn report_replaced(&mut self, scene: &Scene, h: f64) {
+        let is_replaced = |constrained: &ConstrainedStrand| constrained.carried || constrained.step.outcome.quarantined;
+        if scene.is_nested || scene.meter.is_halted() || !self.strands[..self.count].iter().any(is_replaced) {
+            return;
+        }
+        let islands = &self.islands[..self.island_count];
+        let any = |island: &Island| island.strands.iter().any(|constrained| is_replaced(&self.strands[*constrained as usize]));
+        let asked: Vec<bool> = islands.iter().map(|island| !island.is_subdivided && any(island)).collect();
+        let depths =
+            self.depths(scene, &Self::bodies_at_end(scene, h), |constrained| asked[self.strands[constrained].island as usize]);
+        for (island, (depth, asked)) in self.islands.iter_mut().zip(depths.into_iter().zip(asked)) {
+            if asked {
+                island.left.deep = depth;
+            }
+        }
+    }
+
+    /// Copies of the bodies at rest at the end of a substep of `h` seconds; none in a nested substep, where they are not
+    /// needed.
+    fn bodies_at_end(scene: &Scene, h: f64) -> Vec<Body> {
+        let mut bodies = if scene.is_nested { Vec::new() } else { (scene.copies)() };
+        for body in &mut bodies {
+            body.begin(h);
+            body.finish(h);
+            body.rest();
+        }
+        bodies
+    }
+
+    /// The depths of the islands of the `asked` strands, m, in the current scene and independent of known contacts. Zero in a
+    /// nested substep, where other strands are elsewhere.
+    fn depths(&self, scene: &Scene, bodies: &[Body], asked: impl Fn(usize) -> bool + Sync) -> Vec<f64> {
+        let mut depths = vec![0.0_f64; self.island_count];
+        if scene.is_nested {
+            return depths;
+        }
+        let constrained = &self.strands[..self.count];
+        let island = |index: usize| {
+            let found = constrained.binary_search_by_key(&(index as u32), |constrained| constrained.index);
+            found.ok().filter(|place| asked(*place)).map(|place| constrained[place].island as usize)
+        };
+        let bodies: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.still(k as u32)).collect();
+        let Scene { ref strands, slots, ref constraints, workers, options, .. } = *scene;
+        let now = CurrentScene { strands, slots, constraints, bodies: &bodies, hair: options.hair, workers };
+        for deep in now.deep_places(|index| island(index).is_some()) {
+            let (place, other) = match deep.partner {
+                // The host has put the root there.
+                Partner::Body { .. } if deep.point.element == 0 && deep.point.s == 0.0 => continue,
+                Partner::Body { .. } => (deep.point, None),
+                Partner::Strand(other) => (deep.point, Some(other)),
+            };
+            for island in [Some(place), other].into_iter().flatten().filter_map(|place| island(place.strand as usize)) {
+                depths[island] = depths[island].max(now.depth(&deep));
+            }
+        }
+        depths
+    }
+}
+
+impl ContactTally {
+    /// Adds the results of nested substeps.
+    fn add_substeps(&mut self, substeps: &Self) {
+        self.contacts += substeps.contacts;
+        self.searches = self.searches.max(substeps.searches);
+        self.iterations = self.iterations.max(substeps.iterations);
+        self.sweeps += substeps.sweeps;
+        self.unconverged += substeps.unconverged;
+        self.residual = self.residual.max(substeps.residual);
+        self.penetration = self.penetration.max(substeps.penetration);
+    }
+}

@@ -1,0 +1,119 @@
+//! Substeps in which the limit of searches is reached before all contacts are found. Sixteen searches hardly ever are too few:
+//! here the limit is one or two.
+
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use crate::contact::body::BodyDef;
+use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
+use crate::contact::shape::Shape;
+use crate::math::frame::Frame;
+use crate::math::trigonometry::sine_cosine;
+use crate::solver::Solver;
+use crate::solver::definition::{SolverOptions, StrandDef};
+use crate::solver::id::StrandId;
+
+const BALL: f64 = 0.03;
+const H: f64 = 1.0 / 60.0;
+
+/// The same on every machine.
+fn sine(x: f64) -> f64 {
+    sine_cosine(x).0
+}
+
+/// Strands in two layers across each other, 6 mm from each other, over a ball.
+fn layers(model: ContactModel, count: usize) -> (Solver, Vec<StrandId>, Vec<StrandDef>) {
+    let contact = ContactOptions { model, hair: true, ..ContactOptions::default() };
+    let mut solver = Solver::new(SolverOptions { contact, ..SolverOptions::default() }).unwrap();
+    let def = |k: usize| {
+        let (layer, place) = ((k % 2) as f64, (k / 2) as f64 - 0.25 * (count - 2) as f64);
+        let mut def = StrandDef::straight(0.1, 5);
+        def.material.youngs_modulus = 1e9;
+        def.natural = vec![[0.0, 3.0 * sine(1.7 * k as f64), 3.0 * sine(2.3 * k as f64 + 1.57)]; 5];
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * layer);
+        let origin = turn * Vector3::new(-0.05, 6e-3 * place, 0.0) + Vector3::z() * (BALL + 4e-3 + 6e-3 * layer);
+        def.root = Frame { origin, rotation: turn };
+        def
+    };
+    let defs: Vec<StrandDef> = (0..count).map(def).collect();
+    let ids = solver.add_strands(&defs).unwrap();
+    let strand = StrandContact { radius: 1e-4, wisp_radius: 1e-3, ..StrandContact::default() };
+    solver.set_contact(&ids, Some(&strand)).unwrap();
+    solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(BALL).unwrap()))]).unwrap();
+    solver.constrained_substep.max_searches = Some(1);
+    (solver, ids, defs)
+}
+
+/// Moves the ball, and the roots the other way.
+fn swing(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) {
+    let offset = 0.012 * Vector3::new(sine(0.21 * f64::from(step)), sine(0.13 * f64::from(step)), 0.0);
+    let roots: Vec<Frame> = defs.iter().map(|def| Frame { origin: def.root.origin - 0.5 * offset, ..def.root }).collect();
+    solver.set_root_frames(ids, &roots, H).unwrap();
+    let ball = solver.body_ids()[0];
+    solver.set_body_frames(&[ball], &[Frame { origin: offset, ..Frame::default() }], H).unwrap();
+}
+
+/// The deepest that anything is in anything, asked again.
+fn deepest(solver: &mut Solver, ids: &[StrandId]) -> f64 {
+    solver.overlaps(ids).unwrap().iter().fold(0.0, |deepest, overlap| deepest.max(overlap.hair).max(overlap.bodies))
+}
+
+/// What the last search finds, and nothing holds any more, is reported: as a step that is not solved, and as deep as it is.
+#[test]
+fn what_exhausted_searches_leave_is_reported() {
+    {
+        let model = ContactModel::Coulomb;
+        let (mut solver, ids, defs) = layers(model, 12);
+        solver.options.step.max_subdivisions = 0;
+        let (mut left, mut most, mut before) = (0, 0.0_f64, 0.0);
+        before += deepest(&mut solver, &ids);
+        for step in 0..60 {
+            swing(&mut solver, &ids, &defs, step);
+            let report = solver.step(H, 1).unwrap();
+            let (deep, tolerance) = (deepest(&mut solver, &ids), ContactOptions::default().tolerance);
+            // A tenth: how deep strands are is looked for near the places that a search has found.
+            if deep > 1.1 * tolerance {
+                let reported = report.contact.penetration;
+                // What was deep in each other when the step began parts slowly, and may be solved.
+                assert!(
+                    report.contact.unconverged > 0 || before > 2.0 * tolerance,
+                    "{model:?}, step {step}: {deep:e} deep, and solved"
+                );
+                assert!(reported > 0.9 * deep, "{model:?}, step {step}: {deep:e} deep, reported as {reported:e}");
+                (left, most) = (left + 1, most.max(deep));
+            }
+            before = deep;
+        }
+        println!("{model:?}: {left} of 60 steps left {most:e} deep");
+        assert!(left >= 5 && most > 1e-4, "{model:?}: {left}, {most:e}");
+    }
+}
+
+/// A step that islands take in parts leaves nothing deeper than the same step in one piece: strands that have come into those that had gone on
+/// already go back.
+#[test]
+fn substeps_leave_nothing_deeper_than_the_whole_step() {
+    let (mut deeper, mut better, mut subdivided) = (Vec::new(), 0, 0);
+    let (mut solver, ids, defs) = layers(ContactModel::Coulomb, 40);
+    for step in 0..60 {
+        swing(&mut solver, &ids, &defs, 3 * step);
+        let before = solver.snapshot();
+        let mut left = [0.0; 2];
+        for (left, levels) in left.iter_mut().zip([0, 1]) {
+            solver.restore(&before).unwrap();
+            (solver.options.step.max_subdivisions, solver.constrained_substep.max_searches) = (levels, Some(2));
+            let report = solver.step(H, 1).unwrap();
+            subdivided += report.subdivided;
+            *left = deepest(&mut solver, &ids);
+        }
+        let allowed = left[0].max(1e-4) + 1e-5;
+        if left[1] > allowed {
+            deeper.push((step, left));
+        }
+        better += u32::from(left[1] < 0.5 * left[0]);
+    }
+    println!("{subdivided} strand steps in substeps, half as deep in {better} steps");
+    assert!(subdivided > 20 && better >= 3, "{subdivided} {better}");
+    assert!(deeper.is_empty(), "{deeper:?}");
+}
