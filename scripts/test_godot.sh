@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests the Godot 3 host (bindings/godot): compiled with every warning an error, run in Godot under a virtual display: 20,000 strands on a head that turns;
-# that they cover the scalp, have no spikes, move by themselves, keep up a rate, and that failures have a message and an exit status. Where there is no
+# that they cover the scalp, have no spikes, move by themselves, and that failures have a message and an exit status. Where there is no
 # Godot 3 it says so, and ends well. Usage: test_godot.sh [picture FILE]   the picture of docs/guide/game-engine.md instead
 # Environment:
 #   GODOT              the program, default godot3-runner, then godot3 (Debian: apt-get install godot3-runner xvfb libgl1-mesa-dri)
@@ -73,7 +73,6 @@ checks = {
     "no strand was quarantined": turning["quarantined"] == 0,
     "the scalp can be seen without hair": bald["scalp_pixels"] > 2000,
     "and not with it": covered["scalp_pixels"] < 0.01 * bald["scalp_pixels"],
-    "a frame a second even on a busy machine": turning["frame_ms"][0] < 1000,
 }
 for name, holds in checks.items():
     print(f"{'ok    ' if holds else 'FAILED'} {name}")
