@@ -74,6 +74,7 @@ csharp: ## the tests of the C# binding alone, under mono: arrays, spans, the Uni
 
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python
+	scripts/lint_python.sh
 	scripts/test_python.sh
 
 test-blender: ## the Blender extension in Blender as a Python module, which pip installs (1 GB, once): a real groom, bakes, errors, the .zip installed (two minutes)
@@ -130,7 +131,7 @@ bench: ## what the engine costs: every table of docs/notebook/performance.md, th
 	@scripts/setup.sh build figures
 	scripts/bench.sh
 
-contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/notebook/contact.md (a few minutes; CONTACT_QUICK=yes: a try)
+contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/notebook/contact.md, and a head that walks (a quarter of an hour; CONTACT_QUICK=yes: a try)
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
 

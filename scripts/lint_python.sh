@@ -1,13 +1,9 @@
 #!/usr/bin/env bash
-# Format, lints and types of all Python here, without anything compiled: half a minute. Makes the environment that the Python tests run in.
+# Format, lints and types of all Python but the Blender extension's, without anything compiled: half a minute.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-venv=build/python-venv
-[ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib mypy nbclient ipykernel pytest ruff "usd-core>=24.11"
-python=$PWD/$venv/bin/python
-
+. scripts/python_test_env.sh
 cd bindings/python
 "$python" -m ruff format --check --quiet ../../abi ../../scripts/docs ../api.py ../coverage.py ../tables.py ../cpp ../csharp . || { echo "lint_python.sh: ruff format bindings/python" >&2; exit 1; }
 "$python" -m ruff check --quiet ../../abi ../../scripts/docs ../api.py ../coverage.py .

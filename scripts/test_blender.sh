@@ -11,10 +11,7 @@ cd "$(dirname "$0")/.."
 . scripts/test_library.sh
 export SUPERHELIX_LIBRARY=$library/libsuperhelix.so PYTHONPATH=$PWD/bindings/python/src
 
-venv=build/python-venv
-[ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" mypy pytest ruff
-python=$PWD/$venv/bin/python
+. scripts/python_test_env.sh
 cd bindings/blender
 "$python" -m ruff format --check --quiet . || { echo "test_blender.sh: ruff format bindings/blender" >&2; exit 1; }
 "$python" -m ruff check --quiet .

@@ -13,9 +13,7 @@ python3 scripts/docs/folders.py --check
 target=${CARGO_TARGET_DIR:-$PWD/target}
 # What `cargo test` has compiled already.
 cargo build --quiet --locked --all-features --lib --bin superhelix
-venv=build/python-venv
-[ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib "usd-core>=24.11"
+. scripts/python_test_env.sh
 
 csharp=()
 if command -v mcs >/dev/null; then
@@ -25,4 +23,4 @@ if command -v mcs >/dev/null; then
   csharp=(--csharp build/docs-test/Superhelix.dll)
 fi
 python3 scripts/docs/snippets.py --library "$library" --headers "$headers" --binary "${SUPERHELIX_BINARY:-$target/debug/superhelix}" \
-  --python "$PWD/$venv/bin/python" --target "$target/debug" "${csharp[@]}" "$@"
+  --python "$python" --target "$target/debug" "${csharp[@]}" "$@"

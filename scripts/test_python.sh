@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the bindings' description and the Python binding: generated files, lints, tests, examples of the guide, the notebook, and an
-# installed wheel in a fresh venv. Environment:
+# Tests the bindings' description and the Python binding: generated files, tests, examples of the guide, the notebook, and an installed
+# wheel in a fresh venv. (Lints: lint_python.sh.) Environment:
 #   SUPERHELIX_BINARY   a built `superhelix` for the tests of the farm; else that of `cargo test`
 #   SUPERHELIX_BUILD    as scripts/test_library.sh says
 set -euo pipefail
@@ -14,9 +14,7 @@ if [ -z "${SUPERHELIX_BINARY:-}" ]; then
 fi
 export SUPERHELIX_LIBRARY SUPERHELIX_BINARY
 
-scripts/lint_python.sh
-venv=build/python-venv
-python=$PWD/$venv/bin/python
+. scripts/python_test_env.sh
 
 PYTHONPATH=bindings/python/src prints_as_c build/python "$python" bindings/python/examples/hello.py
 cd bindings/python

@@ -39,7 +39,7 @@ const CASES: [Case; 5] = [
         precision: Precision::F64,
         contact: Some((ContactModel::Penalty, 1)),
     },
-    Case { name: "free", guides: 150_000, elements: 5, precision: Precision::F32, contact: None },
+    Case { name: "free, 1 iteration", guides: 150_000, elements: 5, precision: Precision::F32, contact: None },
     Case {
         name: "penalty, 1 iteration",
         guides: 150_000,

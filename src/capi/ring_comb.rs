@@ -83,24 +83,6 @@ impl From<&RingCombReport> for shx_ring_comb_report {
     }
 }
 
-/// The comb that the arguments `tool`, `frame` and `def` of a call describe.
-///
-/// # Safety
-/// They are null or point to structures of the sizes that they state.
-unsafe fn ring_comb(tool: *const shx_tool_def, frame: *const shx_frame, def: *const shx_ring_comb_def) -> Result<RingComb> {
-    // SAFETY: the same.
-    let (tool, frame, def) = unsafe {
-        let def = if def.is_null() { shx_ring_comb_def::defaults() } else { read_versioned("def", def)? };
-        (read_versioned("tool", tool)?, frame_from("frame", frame)?, def)
-    };
-    if def.reserved0 != 0 {
-        return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
-    }
-    let options = RingCombOptions { friction: def.friction, max_force: def.max_force, exempt_length: def.exempt_length };
-    let tool = tool.tool().map_err(|error| error.renamed("def", "tool"))?;
-    RingComb::new(&tool, &frame, &options).map_err(|error| error.renamed("options", "def"))
-}
-
 /// # Safety
 /// `comb` is null or alive.
 unsafe fn with<R>(comb: *const shx_ring_comb, body: impl FnOnce(&mut RingComb) -> Result<R>) -> Result<R> {
@@ -131,7 +113,16 @@ pub unsafe extern "C" fn shx_ring_comb_create(
 ) -> shx_result {
     call("shx_ring_comb_create", || {
         // SAFETY: the caller's structures, and room for one pointer.
-        let (comb, place) = unsafe { (ring_comb(tool, frame, def)?, OutputValue::new("out_comb", out_comb)?) };
+        let (tool, frame, def, place) = unsafe {
+            let def = if def.is_null() { shx_ring_comb_def::defaults() } else { read_versioned("def", def)? };
+            (read_versioned("tool", tool)?, frame_from("frame", frame)?, def, OutputValue::new("out_comb", out_comb)?)
+        };
+        if def.reserved0 != 0 {
+            return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
+        }
+        let options = RingCombOptions { friction: def.friction, max_force: def.max_force, exempt_length: def.exempt_length };
+        let tool = tool.tool().map_err(|error| error.renamed("def", "tool"))?;
+        let comb = RingComb::new(&tool, &frame, &options).map_err(|error| error.renamed("options", "def"))?;
         place.write(Box::into_raw(Box::new(shx_ring_comb { comb: Mutex::new(comb) })));
         Ok(())
     })

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::ground::{Clear, Ground, Node};
+use super::ground::{Ground, Node};
 use super::shape::{Bounds, Kind, Mesh, Patch, Sides, Surface};
 use super::sweep::{Hit, MovingChord, Near, along_nodes, first_hit};
 
@@ -40,15 +40,11 @@ pub(super) fn sweep(ground: &Ground, thickness: f64, nodes: &[Node], hits: &mut 
         }
     }
     if let Kind::Grid(grid) = &ground.body.shape.0 {
-        // What is farther from its end than its way is long has met nothing.
+        // A node that ends farther from the surface than its path is long has met nothing.
         let slope = ground.body.shape.distance_slope();
         let may_meet = |node: &&Node| {
-            let least = match (&node.sample, node.clear) {
-                (Some(sample), _) => sample.value,
-                (None, Clear::Of(least)) => least,
-                (None, Clear::OfReach) => return true,
-            };
-            least - slope * (node.now - node.before).norm() <= level
+            let distance = node.sample.map(|sample| sample.value).or(node.far);
+            distance.is_none_or(|distance| distance - slope * (node.now - node.before).norm() <= level)
         };
         along_nodes(
             nodes.iter().filter(may_meet).map(|node| (node.s, node.before, node.now)),

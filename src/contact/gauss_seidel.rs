@@ -305,7 +305,7 @@ mod tests {
         for (k, (constraint, force)) in space.constraints().iter().zip(&alone).enumerate() {
             let u = space.relative(k, &displacements);
             let law_residual = report.law_residual(&constraint.law, u, *force, space.step());
-            assert!(law_residual < 2e-9, "touch {k}: {law_residual:e}");
+            assert!(law_residual < 2e-9, "contact {k}: {law_residual:e}");
         }
         // Contacts between subdomains press too.
         for between in alone.chunks(POINTS as usize).rev().take(3) {

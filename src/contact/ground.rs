@@ -21,17 +21,8 @@ pub(super) struct Node {
     pub tangent: Vector3<f64>,
     /// The surface found there.
     pub sample: Option<Sample<Surface>>,
-    /// What is known of its distance where no surface was found.
-    pub clear: Clear,
-}
-
-/// What is known of a node where no surface was found.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Clear {
-    /// The surface is farther than the reach.
-    OfReach,
-    /// The surface is at least this far, m, and nothing is in reach between the node and its neighbours.
-    Of(f64),
+    /// Set if no surface was sought: it is at least this far, m, and none is in reach between the node and its neighbours.
+    pub far: Option<f64>,
 }
 
 /// What is needed for the distance of a point in the body's axes.

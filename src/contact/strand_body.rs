@@ -15,7 +15,7 @@ use super::body_sweep;
 use super::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
-use super::ground::{Clear, Ground, Node, sample};
+use super::ground::{Ground, Node, sample};
 use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
 use super::undetected_overlap;
 
@@ -235,7 +235,7 @@ impl Search<'_, '_> {
         (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
     }
 
-    /// Finds what lies under the nodes of an element near a mesh.
+    /// Samples the distance of a mesh at the nodes of an element.
     fn ask_of_mesh(&mut self, ground: &Ground, nodes: &mut [Node]) {
         let mut last = nodes.first().map_or_else(Vector3::zeros, |node| node.now);
         for node in nodes {
@@ -254,8 +254,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The same near a shape that knows its distance everywhere. Nodes are left out that are, by the distance of the one before, so far that
-    /// nothing is in reach between them and their neighbours.
+    /// Samples the distance of a shape that has no mesh. Leaves out nodes that are, by the distance of the one before, so far
+    /// that no surface is in reach between them and their neighbours.
     fn ask_of_shape(&mut self, ground: &Ground, nodes: &mut [Node], piece: f64) {
         let slope = self.body.shape.distance_slope();
         let far = ground.reach + slope * piece;
@@ -263,10 +263,10 @@ impl Search<'_, '_> {
         for node in nodes {
             let least = last.map_or(f64::NEG_INFINITY, |(s, distance)| distance - slope * (node.s - s));
             if least > far {
-                node.clear = Clear::Of(least);
+                node.far = Some(least);
                 continue;
             }
-            let surface = ground.ask(|| node.before, node.now, self.inside);
+            let surface = ground.ask(|| node.before, node.now, None);
             last = surface.as_ref().map(|surface| (node.s, surface.distance));
             node.sample = surface.map(|found| sample(node.s, found, &node.tangent));
         }
@@ -306,7 +306,7 @@ impl Search<'_, '_> {
         for node in 0..=count {
             let s = if node == count { high } else { low + length * (node as f64 / count as f64) };
             let ((before, _), (now, tangent)) = (path.start.at(s), path.now.at(s));
-            nodes.push(Node { s, before, now, tangent, sample: None, clear: Clear::OfReach });
+            nodes.push(Node { s, before, now, tangent, sample: None, far: None });
         }
         length / count as f64
     }
@@ -333,7 +333,7 @@ impl Search<'_, '_> {
         let mut pieces = std::mem::take(&mut self.scratch.pieces);
         let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
-            if pair.iter().any(|node| matches!(node.clear, Clear::Of(_))) {
+            if pair.iter().any(|node| node.far.is_some()) {
                 (before, crest) = (f64::INFINITY, f64::INFINITY);
                 continue;
             }

@@ -1,11 +1,12 @@
 //! Ring combs in the hand: their teeth hold the strands that they run into, and the hand feels what these pull with.
 
+use nalgebra::Vector3;
+
 use super::coupling::AddedMass;
 use super::explicit_law::Resistance;
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::solver::Solver;
-use crate::solver::constraints::ConstraintStatus;
 use crate::solver::id::StrandId;
 use crate::solver::report::Wrench;
 use crate::styling::{RingComb, RingCombReport};
@@ -62,22 +63,17 @@ impl HeldComb {
         Ok(Wrench { force, torque: torque + (self.comb.pose().origin - handle.origin).cross(&force) })
     }
 
-    /// Adds the resistance of the strands on its teeth by the explicit formula, with its coefficients across and along, and says how many they are.
-    pub fn resist(&self, solver: &Solver, handle: &Frame, [across, along]: [f64; 2], sum: &mut Resistance) -> Result<usize> {
-        let mut count = 0;
+    /// Adds the resistance of the strands on its teeth by the explicit formula, with its coefficients across and along.
+    pub fn resist(&self, solver: &Solver, handle: &Frame, [across, along]: [f64; 2], sum: &mut Resistance) -> Result<()> {
         for (strand, constraint) in self.comb.held() {
-            let state = solver.constraint_state(constraint)?;
-            if state.status == ConstraintStatus::Released {
-                continue;
-            }
+            let along_strand = solver.constraint_state(constraint)?.arclength;
             let [stiffness, friction] = solver.cantilever(strand)?;
-            solver.sample_at(strand, &[state.arclength], |_, sample| {
-                let tangent = sample.rotation * nalgebra::Vector3::x();
+            solver.sample_at(strand, &[along_strand], |_, sample| {
+                let tangent = sample.rotation * Vector3::x();
                 sum.add(&tangent, &(sample.position - handle.origin), stiffness * across, friction * along);
             })?;
-            count += 1;
         }
-        Ok(count)
+        Ok(())
     }
 
     /// Adds the mass of the strands on its teeth.

@@ -212,7 +212,8 @@ impl Tool {
             }
             let coefficients = [self.options.explicit_time, self.options.explicit_friction];
             for comb in &self.combs {
-                pressing += comb.resist(solver, &handle, coefficients, &mut resistance)?;
+                comb.resist(solver, &handle, coefficients, &mut resistance)?;
+                pressing += comb.report().held as usize;
             }
         } else if self.options.mode == Mode::HandOver {
             let (travel, onward) = (self.travel(), self.handle[0].compose(&self.handle[1].inverse()));

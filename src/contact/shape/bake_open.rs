@@ -1,4 +1,4 @@
-//! Signed distances of a mesh that is not quite closed: the sign is reported by winding numbers.
+//! Signed distances of a mesh that is not quite closed: winding numbers give the sign.
 
 use super::lattice::Lattice;
 use super::mesh::{Mesh, Sides};

@@ -27,7 +27,7 @@ pub struct DistanceGrid {
 
 impl DistanceGrid {
     /// Distances of a mesh at the nodes of a lattice of `cell` metres that reaches at least `band` metres beyond the mesh. A strand
-    /// is reported of the body within that band; inside at any depth.
+    /// meets the body within that band; inside at any depth.
     ///
     /// Of a [`Sides::Solid`] mesh the inside is known. Of another the inside is where its winding number is above one half, so that heads
     /// that are cut off at the neck, or whose parts do not quite meet, may be baked: an opening is closed by the surface on which the
@@ -150,7 +150,7 @@ impl DistanceGrid {
         Some(Surface::smooth(point - normal * distance, normal, distance))
     }
 
-    /// The value and its slopes in cells: summed along y, then z, all four nodes of a row side by side, and then along x.
+    /// The value and its slopes in cells: summed along y, then z, the four nodes of a row side by side, and last along x.
     #[inline]
     fn interpolated(&self, [x, y, z]: [&Taps; 3]) -> (f64, Vector3<f64>) {
         let (mut value, mut along_y, mut along_z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
@@ -175,7 +175,7 @@ impl DistanceGrid {
         (dot(&x.weights, &value), gradient)
     }
 
-    /// Four nodes along x. Where the grid has fewer along an axis the last ones stand for those that it does not have.
+    /// Four nodes along x. Beyond the last node of an axis it is the last one again.
     #[inline]
     fn row(&self, i: usize, j: usize, k: usize) -> [f32; 4] {
         let [nx, ny, nz] = self.counts.map(|count| count as usize);

@@ -32,7 +32,7 @@ pub struct Mesh {
     pub(super) sides: Sides,
     /// At the step's start.
     pub(super) before: Vec<Vector3<f64>>,
-    /// At the step's end; nearest points are reported of these.
+    /// At the step's end; nearest points are sought on these.
     pub(super) vertices: Vec<Vector3<f64>>,
     pub(super) moving: bool,
     travel: f64,
@@ -390,7 +390,7 @@ fn neighbours(triangles: &[[u32; 3]], sides: Sides) -> Result<Box<[[u32; 3]]>> {
                 },
             ));
         }
-        // Where three or more meet, or neighbours are wound against each other, no side is reported from across the edge: a rim.
+        // Where three or more meet, or neighbours are wound against each other, the neighbour across the edge gives no side: a rim.
         if alike {
             neighbours[shared[0][2] as usize][shared[0][3] as usize] = shared[1][2];
             neighbours[shared[1][2] as usize][shared[1][3] as usize] = shared[0][2];

@@ -11,7 +11,7 @@ use super::mesh_patch::{Ball, Patch};
 use super::surface::Surface;
 use super::triangle::{self, Part};
 
-/// The nearest place of a mesh, before its side is reported.
+/// The nearest place of a mesh, before its side is known.
 #[derive(Debug, Clone, Copy)]
 struct Nearest {
     triangle: u32,

@@ -2,7 +2,7 @@
 //!
 //! Files:
 //!
-//! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: the sign is reported by winding numbers.
+//! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: winding numbers give the sign.
 //! - `bounds.rs`: Boxes along the axes, around what is to be kept apart cheaply.
 //! - `capsule.rs`: Capsule: all points within a radius of a segment.
 //! - `cuboid.rs`: Box about the origin, along the axes.

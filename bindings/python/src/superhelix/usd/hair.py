@@ -12,7 +12,7 @@ from superhelix.enums import UpAxis
 from superhelix.fit import Fit, fit_strands
 from superhelix.groom import Groom
 from superhelix.records import FitOptions
-from superhelix.usd.curves.bases import Integers, Numbers, edges_along, starts_of
+from superhelix.usd.curves.bases import Integers, Numbers, edges_along, points_of, starts_of
 
 
 @dataclass
@@ -85,9 +85,7 @@ class Hair:
         """Selects strands: by a mask, indices in any order, or a slice."""
         chosen = np.arange(len(self))[which]
         counts = self.point_counts.astype(np.int64)
-        own = counts[chosen]
-        place = np.arange(int(own.sum())) - np.repeat(starts_of(own), own)
-        points = np.repeat(self.first_points[chosen], own) + place
+        points = points_of(chosen, counts)
         changed: dict[str, Any] = {}
         for item in fields(self):
             value = getattr(self, item.name)

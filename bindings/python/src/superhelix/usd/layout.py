@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from superhelix._buffers import column
 from superhelix.usd._pxr import Gf, Sdf, UsdGeom, Vt
-from superhelix.usd.curves.bases import Integers, Numbers, starts_of
+from superhelix.usd.curves.bases import Integers, Numbers, points_of
 from superhelix.usd.curves.primvars import FRAME
 
 BASES = ("linear", "catmullRom")
@@ -89,18 +89,16 @@ def groups_of(names: Sequence[str] | None, counts: Integers, root: str) -> list[
         raise ValueError(f"groups: {len(names)} names; one for each of {len(counts)} strands expected")
     labels = {name: number for number, name in enumerate(dict.fromkeys(names))}
     which = np.array([labels[name] for name in names], dtype=np.int64)
-    first, taken, made = starts_of(counts), set[str](), list[Group]()
+    taken, made = set[str](), list[Group]()
     for name, number in labels.items():
         strands = np.flatnonzero(which == number)
-        own = counts[strands]
-        points = np.repeat(first[strands], own) + np.arange(int(own.sum())) - np.repeat(starts_of(own), own)
         short = base = prim_name(name)
         again = 1
         while short in taken:
             again += 1
             short = f"{base}_{again}"
         taken.add(short)
-        made.append(Group(name, f"{root}/{short}", strands, points, own))
+        made.append(Group(name, f"{root}/{short}", strands, points_of(strands, counts), counts[strands]))
     return made
 
 

@@ -55,6 +55,12 @@ def starts_of(counts: Integers) -> Integers:
     return np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64) if len(counts) else np.zeros(0, dtype=np.int64)
 
 
+def points_of(strands: Integers, counts: Integers) -> Integers:
+    """The points of these strands, one strand after the other, where strand k has counts[k] points."""
+    own = counts[strands]
+    return np.repeat(starts_of(counts)[strands] - starts_of(own), own) + np.arange(int(own.sum()))
+
+
 def edges_along(points: Numbers, counts: Integers) -> Numbers:
     """Arclength of each point along its polyline."""
     edges = np.diff(points, axis=0)
