@@ -55,7 +55,7 @@ LOOKS = {
         melanin=0.62,
         redness=0.55,
         camera=(0.4, -0.98, 0.06),
-        aim=-0.035,
+        aim=-0.028,
         options={
             "follow": "CURVATURE",
             "curliness": 0.55,
@@ -75,8 +75,8 @@ LOOKS = {
         render_points=80,
         melanin=0.8,
         redness=0.6,
-        camera=(-0.4, -0.95, 0.06),
-        aim=-0.02,
+        camera=(-0.4, -0.98, 0.06),
+        aim=-0.012,
         options={
             "follow": "CURVATURE",
             "curliness": 0.8,
@@ -188,7 +188,7 @@ def dress(bust: bpy.types.Object) -> None:
     tree = skin.node_tree
     paint, mix = tree.nodes.new("ShaderNodeAttribute"), tree.nodes.new("ShaderNodeMix")
     paint.attribute_name, mix.data_type = "scalp", "RGBA"
-    mix.inputs[6].default_value, mix.inputs[7].default_value = (0.6, 0.4, 0.31, 1.0), (0.11, 0.055, 0.035, 1.0)
+    mix.inputs[6].default_value, mix.inputs[7].default_value = (0.64, 0.4, 0.29, 1.0), (0.11, 0.055, 0.035, 1.0)
     tree.links.new(paint.outputs["Fac"], mix.inputs[0])
     tree.links.new(mix.outputs[2], tree.nodes["Principled BSDF"].inputs["Base Color"])
     mesh = bust.data
@@ -208,7 +208,7 @@ def stage(bust: bpy.types.Object, look: Look) -> None:
     scene = bpy.context.scene
     middle = bust.matrix_world @ Vector(drawn.MIDDLE)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.data.lens = 85.0
+    camera.data.lens = 100.0
     aim = middle + Vector((0.0, 0.0, look.aim))
     # With the head as it faces.
     facing = Matrix.Rotation(bust.matrix_world.to_euler("XYZ").z, 4, "Z")
@@ -230,7 +230,7 @@ def stage(bust: bpy.types.Object, look: Look) -> None:
     bpy.ops.mesh.primitive_plane_add(size=8.0, location=aim + 1.6 * forward)
     wall = bpy.context.object
     wall.rotation_euler = forward.to_track_quat("Z", "Y").to_euler()
-    wall.data.materials.append(material("wall", "ShaderNodeBsdfPrincipled", Base_Color=(0.2, 0.19, 0.185, 1.0), Roughness=0.9))
+    wall.data.materials.append(material("wall", "ShaderNodeBsdfPrincipled", Base_Color=(0.12, 0.105, 0.095, 1.0), Roughness=0.9))
     light(aim + 1.1 * forward + Vector((0.0, 0.0, -0.7)), aim + 1.6 * forward, 9.0, 0.3, (1.0, 0.9, 0.8))
 
 
@@ -241,7 +241,7 @@ def render(out: Path, width: int, samples: int) -> None:
     render.engine, render.resolution_x, render.resolution_y = "CYCLES", width, width * 9 // 8
     scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = "CPU", samples, True
     scene.cycles.use_adaptive_sampling, scene.cycles.adaptive_threshold = True, 0.02
-    scene.cycles.max_bounces, scene.cycles.transparent_max_bounces = 12, 16
+    scene.cycles.max_bounces, scene.cycles.transparent_max_bounces = 10, 16
     scene.cycles_curves.shape = "RIBBONS"
     scene.view_settings.view_transform, scene.view_settings.look = "AgX", "AgX - Medium High Contrast"
     render.image_settings.file_format = "PNG" if out.suffix == ".png" else "JPEG"
@@ -259,7 +259,7 @@ def main() -> None:
     parser.add_argument("out", type=Path)
     parser.add_argument("--hairs", type=int, default=30_000)
     parser.add_argument("--width", type=int, default=800)
-    parser.add_argument("--samples", type=int, default=128)
+    parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--frame", type=int, default=0)
     given = parser.parse_args()
     look = LOOKS[given.what]

@@ -1,4 +1,7 @@
-"""Operators that write simulated hair for other programs, by Blender's exporters of Alembic and USD."""
+"""Operators that write simulated hair for other programs: Alembic by superhelix.alembic, USD by Blender's exporter.
+
+Blender 5.0 writes no velocities of curves to Alembic; superhelix.alembic does, in world space, where they include what carries the curves.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +14,12 @@ from typing import Any
 
 import bpy
 import numpy as np
+import numpy.typing as npt
 from bpy.props import StringProperty
+from superhelix import alembic
 
 from . import memory, play
+from .core.space import transformed
 from .operators import HairOperator
 from .properties import Role
 
@@ -42,13 +48,51 @@ class _Recording:
         return np.asarray((self.positions(after) - self.positions(before)) / span, dtype=np.float32)
 
 
+def _go(obj: bpy.types.Object, scene: bpy.types.Scene, frame: int) -> None:
+    """Changes the frame, which simulates it if it is new."""
+    scene.frame_set(frame)
+    here = play.playback(obj)
+    if here.state not in (play.State.READY, play.State.RECORDED):
+        raise ValueError(f"frame {frame}: {here.message or here.state.value}")
+
+
+def _in_world(obj: bpy.types.Object) -> npt.NDArray[np.float64]:
+    """The points in world space, in the scene's units."""
+    matrix = np.array(obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world, dtype=np.float64)
+    return transformed(matrix, memory.read(obj.data))
+
+
+def _widths(obj: bpy.types.Object) -> npt.NDArray[np.float64] | None:
+    """Diameters of the points, in the scene's units; None if the curves state none."""
+    attribute = obj.data.attributes.get("radius")
+    if attribute is None:
+        return None
+    radii = np.empty(len(obj.data.points), dtype=np.float32)
+    attribute.data.foreach_get("value", radii)
+    scale = float(np.cbrt(abs(obj.matrix_world.determinant())))
+    return 2.0 * scale * radii.astype(np.float64)
+
+
+def _write_alembic(path: Path, obj: bpy.types.Object, scene: bpy.types.Scene, first: int, last: int) -> None:
+    """Writes each frame when the one after it is known, for velocities by central differences."""
+    frame_time = scene.render.fps_base / scene.render.fps
+    with alembic.HairWriter(path, memory.point_counts(obj.data), widths=_widths(obj), name=obj.name.replace("/", "_")) as writer:
+        _go(obj, scene, first)
+        before = here = _in_world(obj)
+        for frame in range(first, last + 1):
+            after = here
+            if frame < last:
+                _go(obj, scene, frame + 1)
+                after = _in_world(obj)
+            span = frame_time * max(min(frame + 1, last) - max(frame - 1, first), 1)
+            writer.write(frame * frame_time, here, (after - before) / span)
+            before, here = here, after
+
+
 def _record(obj: bpy.types.Object, scene: bpy.types.Scene, recording: _Recording) -> None:
     """Goes through the frames."""
     for frame in range(recording.first, recording.last + 1):
-        scene.frame_set(frame)
-        here = play.playback(obj)
-        if here.state not in (play.State.READY, play.State.RECORDED):
-            raise ValueError(f"frame {frame}: {here.message or here.state.value}")
+        _go(obj, scene, frame)
         np.save(recording.path(frame), memory.read(obj.data))
 
 
@@ -87,6 +131,26 @@ def _alone(context: bpy.types.Context, obj: bpy.types.Object) -> Iterator[None]:
             other.select_set(True)
 
 
+def _write_usd(path: Path, obj: bpy.types.Object, context: bpy.types.Context, first: int, last: int) -> None:
+    """Records all frames, then lets Blender export them."""
+    scene, folder = context.scene, Path(tempfile.mkdtemp(dir=bpy.app.tempdir))
+    whole = scene.frame_start, scene.frame_end
+    try:
+        recording = _Recording(folder, first, last, scene.render.fps_base / scene.render.fps)
+        _record(obj, scene, recording)
+        memory.animate(obj.data, first, last)
+        scene.frame_start, scene.frame_end = first, last
+        with _shown(obj, recording), _alone(context, obj):
+            done = bpy.ops.wm.usd_export(
+                filepath=str(path), selected_objects_only=True, export_animation=True, evaluation_mode="VIEWPORT", export_materials=False
+            )
+    finally:
+        scene.frame_start, scene.frame_end = whole
+        shutil.rmtree(folder, ignore_errors=True)
+    if done != {"FINISHED"} or not path.is_file():
+        raise ValueError(f"file {path}: Blender could not write it")
+
+
 class SUPERHELIX_OT_export(HairOperator):
     """Write these curves, simulated or render hair, to an Alembic or USD file: every frame from Start to the end of the scene. Simulates what is missing"""
 
@@ -106,7 +170,7 @@ class SUPERHELIX_OT_export(HairOperator):
         return {"RUNNING_MODAL"}
 
     def work(self, context: bpy.types.Context, obj: bpy.types.Object) -> set[str]:
-        """Records all frames, then exports."""
+        """Checks what it was asked for, and writes."""
         path = Path(bpy.path.abspath(self.filepath))
         if path.suffix.lower() not in _SUFFIXES:
             raise ValueError(f"file {path}: {path.suffix or 'no suffix'}; {', '.join(_SUFFIXES)} expected")
@@ -120,37 +184,16 @@ class SUPERHELIX_OT_export(HairOperator):
         scene, first = context.scene, guides.superhelix.frame_start
         if scene.frame_end < first:
             raise ValueError(f"frames: the scene ends at {scene.frame_end}, before the hair starts at {first}")
-        shown, folder = scene.frame_current, Path(tempfile.mkdtemp(dir=bpy.app.tempdir))
-        recording = _Recording(folder, first, scene.frame_end, scene.render.fps_base / scene.render.fps)
-        memory.animate(obj.data, recording.first, recording.last)
+        last, shown = scene.frame_end, scene.frame_current
         try:
-            _record(obj, scene, recording)
-            with _shown(obj, recording), _alone(context, obj):
-                self._write(path, recording)
+            if path.suffix.lower() == ".abc":
+                _write_alembic(path, obj, scene, first, last)
+            else:
+                _write_usd(path, obj, context, first, last)
         finally:
-            shutil.rmtree(folder, ignore_errors=True)
             scene.frame_set(shown)
-        self.report({"INFO"}, f"Frames {recording.first} to {recording.last} of {len(obj.data.curves)} curves are in {path}")
+        self.report({"INFO"}, f"Frames {first} to {last} of {len(obj.data.curves)} curves are in {path}")
         return {"FINISHED"}
-
-    @staticmethod
-    def _write(path: Path, recording: _Recording) -> None:
-        if path.suffix.lower() == ".abc":
-            done = bpy.ops.wm.alembic_export(
-                filepath=str(path), start=recording.first, end=recording.last, selected=True, evaluation_mode="VIEWPORT", as_background_job=False
-            )
-        else:
-            scene = bpy.context.scene
-            whole = scene.frame_start, scene.frame_end
-            scene.frame_start, scene.frame_end = recording.first, recording.last
-            try:
-                done = bpy.ops.wm.usd_export(
-                    filepath=str(path), selected_objects_only=True, export_animation=True, evaluation_mode="VIEWPORT", export_materials=False
-                )
-            finally:
-                scene.frame_start, scene.frame_end = whole
-        if done != {"FINISHED"} or not path.is_file():
-            raise ValueError(f"file {path}: Blender could not write it")
 
 
 CLASSES: tuple[Any, ...] = (SUPERHELIX_OT_export,)

@@ -8,6 +8,8 @@ import bpy
 import numpy as np
 import pytest
 import scenes
+import superhelix as shx
+from superhelix import alembic
 from test_blender_play import check, go
 
 from superhelix_hair import memory, play
@@ -50,47 +52,81 @@ def imported(path: Path) -> bpy.types.Object:
     return next(obj for obj in bpy.data.objects if obj.type == "CURVES")
 
 
-@pytest.mark.parametrize("suffix", ["abc", "usdc", "usda"])
-def test_every_frame_comes_back(tmp_path: Path, suffix: str) -> None:
-    """What is exported is what was simulated, to the bit in the space of the curves, at every frame; nothing of the export stays in the scene."""
-    hair, path = walking(), tmp_path / f"hair.{suffix}"
+def exported(hair: bpy.types.Object, path: Path) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Exports in the middle of the frames; nothing of it stays in the scene. Points as rows_of gives them."""
     bpy.context.scene.frame_set(5)
     handlers = list(bpy.app.handlers.frame_change_post)
     assert bpy.ops.superhelix.export(filepath=str(path)) == {"FINISHED"}
     assert bpy.context.scene.frame_current == 5 and list(bpy.app.handlers.frame_change_post) == handlers
-    assert "velocity" not in hair.data.attributes and hair.select_get()
+    assert "velocity" not in hair.data.attributes and hair.select_get() and len(list(path.parent.iterdir())) == 1
     check(hair)
     local, there = rows_of(hair, range(1, FRAMES + 1))
     assert np.abs(local[-1] - local[-2]).max() > 1e-4
-    radius = 1.0 / bpy.context.scene.render.fps
+    return local, there
+
+
+def test_every_frame_comes_back_from_alembic(tmp_path: Path) -> None:
+    """The points of the world, rounded to single precision, at every frame; and velocities, which Blender 5.0 does not read, by superhelix.alembic."""
+    hair, path = walking(), tmp_path / "hair.abc"
+    fps = bpy.context.scene.render.fps
+    _, there = exported(hair, path)
+    found = imported(path)
+    for frame in range(1, FRAMES + 1):
+        bpy.context.scene.frame_set(frame)
+        evaluated = found.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        assert np.array_equal(memory.read(evaluated.data), there[frame - 1].astype(np.float32)), frame
+        assert np.array_equal(world(found).astype(np.float32), there[frame - 1].astype(np.float32)), frame
+    with alembic.AlembicFile(path) as file:
+        assert np.allclose(file.times, np.arange(1, FRAMES + 1) / fps)
+        for frame in range(2, FRAMES):
+            read = file.read(frame / fps, up_axis=shx.UpAxis.Z)
+            assert np.array_equal(read.points.astype(np.float32), there[frame - 1].astype(np.float32))
+            assert np.allclose(read.velocities, (there[frame] - there[frame - 2]) * fps / 2, atol=1e-6)
+        assert np.allclose(file.read(1 / fps, up_axis=shx.UpAxis.Z).velocities, (there[1] - there[0]) * fps, atol=1e-6)
+
+
+@pytest.mark.parametrize("suffix", ["usdc", "usda"])
+def test_every_frame_comes_back_from_usd(tmp_path: Path, suffix: str) -> None:
+    """The points in the space of the curves, to the bit, with velocities; and what carries the curves, as transforms."""
+    hair, path = walking(), tmp_path / f"hair.{suffix}"
+    fps = bpy.context.scene.render.fps
+    local, there = exported(hair, path)
     found = imported(path)
     for frame in range(1, FRAMES + 1):
         bpy.context.scene.frame_set(frame)
         evaluated = found.evaluated_get(bpy.context.evaluated_depsgraph_get())
         assert np.array_equal(memory.read(evaluated.data), local[frame - 1]), frame
         assert np.abs(world(found) - there[frame - 1]).max() < 1e-6, frame
-        if suffix != "abc" and 1 < frame < FRAMES:
+        if 1 < frame < FRAMES:
             velocities = memory.read(evaluated.data, "velocity")
-            assert np.allclose(velocities, (local[frame] - local[frame - 2]) / (2 * radius), atol=1e-5)
+            assert np.allclose(velocities, (local[frame] - local[frame - 2]) * fps / 2, atol=1e-5)
 
 
 def test_render_hair_goes_out_too(tmp_path: Path) -> None:
-    """And the frames that the scene has now, not those when the hair was set up."""
+    """With its widths; and the frames that the scene has now, not those when the hair was set up."""
     hair = walking()
-    hair.superhelix.render_count, hair.superhelix.render_points = 300, 8
+    hair.superhelix.render_count, hair.superhelix.render_points, hair.superhelix.hair_radius = 300, 8, 0.05
     go(1)
     bpy.ops.superhelix.grow()
     grown = next(obj for obj in bpy.data.objects if obj.superhelix.role == "GROWN")
     bpy.context.scene.frame_end = 15
     bpy.context.view_layer.objects.active = grown
-    assert bpy.ops.superhelix.export(filepath=str(tmp_path / "hair.abc")) == {"FINISHED"}
+    for name in ("hair.abc", "hair.usdc"):
+        assert bpy.ops.superhelix.export(filepath=str(tmp_path / name)) == {"FINISHED"}
     local, there = rows_of(grown, range(1, 16))
     assert play.playback(hair).session.last == 15
-    found = imported(tmp_path / "hair.abc")
-    for frame in range(1, 16):
-        bpy.context.scene.frame_set(frame)
-        assert np.array_equal(memory.read(found.evaluated_get(bpy.context.evaluated_depsgraph_get()).data), local[frame - 1]), frame
-        assert np.abs(world(found) - there[frame - 1]).max() < 1e-6
+    radius = np.empty(len(local[0]), dtype=np.float32)
+    grown.data.attributes["radius"].data.foreach_get("value", radius)
+    for name, rows in (("hair.abc", there), ("hair.usdc", local)):
+        found = imported(tmp_path / name)
+        for frame in range(1, 16):
+            bpy.context.scene.frame_set(frame)
+            evaluated = found.evaluated_get(bpy.context.evaluated_depsgraph_get())
+            assert np.array_equal(memory.read(evaluated.data), rows[frame - 1].astype(np.float32)), (name, frame)
+            assert np.abs(world(found) - there[frame - 1]).max() < 1e-6
+        again = np.empty_like(radius)
+        evaluated.data.attributes["radius"].data.foreach_get("value", again)
+        assert np.allclose(again, radius, rtol=1e-6)
 
 
 def test_hair_that_starts_later(tmp_path: Path) -> None:
