@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python test-blender blender godot cpp csharp abi abi-baseline rust-api package wasm platforms demo soak bench contact pictures fit haptics \
+.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python test-blender blender blender-pictures hosts godot cpp csharp abi abi-baseline rust-api package wasm platforms demo soak bench contact pictures fit haptics \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -84,6 +84,14 @@ test-blender: ## the Blender extension in Blender as a Python module, which pip 
 blender: ## the Blender extension as a .zip for this platform: out/blender/
 	@scripts/setup.sh build python
 	python3 bindings/blender/pack.py
+
+blender-pictures: ## the pictures of the Blender guide, by the extension and Cycles: docs/figures/blender_*.jpg (half an hour; says so where pip has no Blender)
+	@scripts/setup.sh test python
+	scripts/blender_pictures.sh
+
+hosts: ## how long each host takes from nothing to hair: out/hosts/, docs/figures/hosts.csv (half an hour; with Blender, 2 GB; HOSTS="python usd": some)
+	@scripts/setup.sh build python csharp
+	scripts/hosts.sh $(HOSTS)
 
 godot: ## the host of Godot 3 in C, compiled and tested in the engine under a virtual display: 20,000 lit strands on a head that turns (a minute); says so where it is skipped
 	@scripts/setup.sh build python

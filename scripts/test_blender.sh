@@ -3,7 +3,7 @@
 # a real groom on a walking head against the engine's own run, scrubbing, a bake that is killed and continued, colliders, errors, and the .zip
 # installed as a user does. Where pip has no bpy it says so, and ends well. Usage: test_blender.sh [core]   core: without Blender (seconds)
 # Environment:
-#   BPY_VERSION        of the module bpy, default 5.0.1; also tried: 4.5.15
+#   BPY_VERSION        as scripts/blender_env.sh says
 #   SUPERHELIX_BUILD   as scripts/test_library.sh says
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -20,23 +20,7 @@ cd bindings/blender
 [ "${1:-}" != core ] || exit 0
 cd ../..
 
-version=${BPY_VERSION:-5.0.1}
-venv=build/blender-venv-$version
-if [ ! -e "$venv/complete" ]; then
-  rm -rf "$venv"
-  python3 -m venv "$venv"
-  if ! "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "bpy==$version" pytest setuptools wheel; then
-    rm -rf "$venv"
-    echo "test_blender.sh: SKIPPED: pip has no bpy $version for $(python3 --version) on $(uname -sm): the extension was tested without Blender only"
-    exit 0
-  fi
-  touch "$venv/complete"
-fi
-python=$PWD/$venv/bin/python
-if ! "$python" -c "import bpy, os; os._exit(0)"; then
-  echo "test_blender.sh: SKIPPED: bpy $version does not load on $(uname -sm): the extension was tested without Blender only"
-  exit 0
-fi
+. scripts/blender_env.sh
 (cd bindings/blender && "$python" -m pytest)
 
 # What a user does, with the library that is built already.
