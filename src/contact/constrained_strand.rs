@@ -1,6 +1,7 @@
 //! A strand during a step in which contacts or bilateral constraints act on it: its attached material points, and its state of
 //! motion in the island's iteration.
 
+use std::ops::Index;
 use std::sync::{Mutex, PoisonError};
 
 use nalgebra::{Matrix3, Vector3};
@@ -82,6 +83,8 @@ pub struct ConstrainedStrand {
     pub attachments: Vec<Attachment>,
     /// How many of them its linear model includes.
     modelled: usize,
+    /// Whether its island has no other strand.
+    pub is_solitary: bool,
     /// Whether its step is one of implicit Euler, whatever the setting.
     pub first_order: bool,
     /// Whether its step begins again for that reason: until then the strand stays where it is.
@@ -414,6 +417,23 @@ impl ConstrainedStrand {
     /// Displacement of an attached point in this iteration without forces.
     pub fn unconstrained(&self, point: u32) -> Vector3<f64> {
         self.step.unconstrained[point as usize].into()
+    }
+}
+
+/// Constrained strands by their indices.
+pub trait Strands: Index<usize, Output = ConstrainedStrand> {}
+
+impl<S: Index<usize, Output = ConstrainedStrand> + ?Sized> Strands for S {}
+
+/// The strand of an island that has no other, by whatever index.
+#[derive(Debug)]
+pub struct Solitary<'a>(pub &'a ConstrainedStrand);
+
+impl Index<usize> for Solitary<'_> {
+    type Output = ConstrainedStrand;
+    #[inline(always)]
+    fn index(&self, _: usize) -> &ConstrainedStrand {
+        self.0
     }
 }
 

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
-use super::constrained_strand::{Attachment, ConstrainedStrand};
+use super::constrained_strand::{Attachment, ConstrainedStrand, Strands};
 use super::contact_space::End;
 use super::ending::Ending;
 use super::gauss_seidel::Report;
@@ -97,6 +97,8 @@ pub struct Island {
     pub sweeps: u32,
     /// Newton iterations so far.
     pub iterations: u32,
+    /// Newton iterations until the next search for contacts, at most.
+    pub iterations_left: u32,
     /// It is solved roughly until its contacts are known: [`Island::refine`] goes on to the full tolerance.
     pub rough: bool,
     /// Its iteration has ended.
@@ -178,7 +180,7 @@ impl Island {
     }
 
     /// Finds the points of every constraint in its strands' sorted attachments.
-    pub fn find_ends(&mut self, strands: &[ConstrainedStrand]) {
+    pub fn find_ends(&mut self, strands: &(impl Strands + ?Sized)) {
         self.ends.clear();
         self.ends.resize(self.constraints.len(), [End { strand: 0, point: 0 }; 2]);
         for (local, strand) in self.strands.iter().enumerate() {
@@ -202,13 +204,18 @@ impl Island {
         strand.attachments.iter().map(constraint).any(|constraint| constraint.is_behind(constraint.gap))
     }
 
+    /// Whether surfaces press each other at some contact.
+    pub fn presses(&self) -> bool {
+        self.constraints.iter().any(StepConstraint::presses)
+    }
+
     /// Whether it has contacts.
     pub fn has_contacts(&self) -> bool {
         self.constraints.iter().any(StepConstraint::is_contact)
     }
 
     /// After the first half of an iteration: adds the strands to `pressed` that would run into their partner without forces.
-    pub fn about_to_press(&mut self, strands: &[ConstrainedStrand], pressed: &mut Vec<u32>) {
+    pub fn about_to_press(&mut self, strands: &(impl Strands + ?Sized), pressed: &mut Vec<u32>) {
         self.find_ends(strands);
         for (constraint, [first, second]) in self.constraints.iter().zip(&self.ends) {
             let (ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. }) = constraint.kind else { continue };
@@ -235,7 +242,7 @@ impl Island {
     }
 
     /// Before an iteration: moves rings to where the strands run through them, and updates bodies' surfaces at their contacts.
-    pub fn refresh(&mut self, strands: &[ConstrainedStrand], bodies: &[BodyAt]) {
+    pub fn refresh(&mut self, strands: &(impl Strands + ?Sized), bodies: &[BodyAt]) {
         self.constrained_to_world = false;
         self.may_rest = self.strands.len() > FEW && !self.has_bilateral();
         for constraint in &mut self.constraints {
@@ -275,7 +282,7 @@ impl Island {
     pub(super) fn evaluate(
         &mut self,
         constraint: usize,
-        strands: &[ConstrainedStrand],
+        strands: &(impl Strands + ?Sized),
         options: &ContactOptions,
         step: f64,
     ) -> (Law, Vector3<f64>) {
@@ -318,7 +325,7 @@ impl Island {
 
     /// How far the resting strands at a constraint's ends would be moved by the present forces, in units of an element's
     /// length.
-    fn pushes_resting(&self, index: usize, strands: &[ConstrainedStrand]) -> [f64; 2] {
+    fn pushes_resting(&self, index: usize, strands: &(impl Strands + ?Sized)) -> [f64; 2] {
         let ends = if self.constraints[index].second.is_some() { 2 } else { 1 };
         let mut motions = [0.0; 2];
         for (moved, end) in motions.iter_mut().zip(&self.ends[index][..ends]) {
@@ -340,17 +347,17 @@ impl Island {
     }
 
     /// The force that bends an element of the stiffest strand by about a radian, N.
-    fn bending_force(&self, strands: &[ConstrainedStrand]) -> f64 {
+    fn bending_force(&self, strands: &(impl Strands + ?Sized)) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].bending).fold(0.0, f64::max)
     }
 
     /// The largest [`ConstrainedStrand::usual_force`] of its strands, N.
-    pub(super) fn usual_force(&self, strands: &[ConstrainedStrand], step: f64) -> f64 {
+    pub(super) fn usual_force(&self, strands: &(impl Strands + ?Sized), step: f64) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].usual_force(step)).fold(0.0, f64::max)
     }
 
     /// After the second half: tests for convergence, by the strands' residuals and those of the laws at the new iterate.
-    pub fn check(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, tolerance: f64, step: f64) {
+    pub fn check(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft();
         let enough_for_contacts = match () {
             () if !self.has_contacts() => 0.0,
