@@ -97,6 +97,8 @@ pub struct Island {
     pub sweeps: u32,
     /// Newton iterations so far.
     pub iterations: u32,
+    /// Whether it iterates apart from the others.
+    pub is_solitary: bool,
     /// Newton iterations until the next search for contacts, at most.
     pub iterations_left: u32,
     /// It is solved roughly until its contacts are known: [`Island::refine`] goes on to the full tolerance.

@@ -525,9 +525,6 @@ impl ConstrainedSubstep {
             self.strands[k].island = island as u32;
             self.islands[island].strands.push(k as u32);
         }
-        for constrained in &mut self.strands[..self.count] {
-            constrained.is_solitary = self.islands[constrained.island as usize].strands.len() == 1;
-        }
         for island in &mut self.islands[..self.island_count] {
             // Strands on which nothing new acts are coupled as before.
             let ended = |constrained: &u32| self.strands[*constrained as usize].ended;

@@ -1,8 +1,10 @@
 //! Newton iterations of all islands. Islands of one strand are independent of each other, and go pack by pack (`solitary.rs`);
-//! those that couple strands go side by side, since a pack holds strands of several.
+//! those that couple strands go side by side, since a pack holds strands of several. So do all where work is short: what is
+//! missing then is missing everywhere.
 
 use super::account::ContactTally;
 use super::{ConstrainedSubstep, Scene};
+use crate::contact::constrained_strand::ConstrainedStrand;
 use crate::contact::ending::Next;
 use crate::contact::island::Island;
 use crate::memory::recycled;
@@ -14,11 +16,22 @@ use crate::step::options::Integrator;
 /// Islands with at least this many constraints are solved by all threads together.
 const LARGE: usize = 1000;
 
+/// Work is not short where as much as this many iterations of all strands take is left.
+const AMPLE: u64 = 100;
+
 impl ConstrainedSubstep {
     /// At most `most` Newton iterations of all islands.
     pub(super) fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
-        self.packs.forget_mixed_look_ahead(&mut self.strands[..self.count]);
-        self.islands[..self.island_count].iter_mut().for_each(|island| island.iterations_left = most);
+        let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+        let half = |constrained: &ConstrainedStrand| constrained.half_work_with(constrained.attachments.len());
+        let is_ample = strands.iter().map(half).sum::<u64>() <= scene.meter.left() / (2 * AMPLE);
+        for island in islands.iter_mut() {
+            (island.is_solitary, island.iterations_left) = (is_ample && island.strands.len() == 1, most);
+        }
+        for constrained in strands.iter_mut() {
+            constrained.is_solitary = islands[constrained.island as usize].is_solitary;
+        }
+        self.packs.forget_mixed_look_ahead(strands);
         self.iterate_solitary(scene, h);
         self.iterate_coupled(scene, h, most);
         // Here and not at the end of the substep: the next search forms new islands.
@@ -28,22 +41,21 @@ impl ConstrainedSubstep {
         }
     }
 
-    /// Those of islands of several strands.
+    /// Those of islands whose strands are not solitary.
     fn iterate_coupled(&mut self, scene: &mut Scene, h: f64, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
         let Self { strands, islands, packs, count, island_count, contact_seconds, at_work, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
-        let is_coupled = |island: &Island| island.strands.len() > 1;
-        if !islands.iter().any(is_coupled) {
+        if islands.iter().all(|island| island.is_solitary) {
             return;
         }
         for _ in 0..most {
             let stopped = scene.meter.stopped();
             if stopped != Stopped::No {
-                islands.iter_mut().filter(|island| is_coupled(island)).for_each(|island| island.stop(stopped));
+                islands.iter_mut().filter(|island| !island.is_solitary).for_each(|island| island.stop(stopped));
                 break;
             }
-            let coupled = islands.iter_mut().filter(|island| is_coupled(island));
+            let coupled = islands.iter_mut().filter(|island| !island.is_solitary);
             for island in coupled.filter(|island| island.done && island.ending.stopped == Stopped::No) {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
@@ -60,7 +72,7 @@ impl ConstrainedSubstep {
                     }
                 }
             }
-            let goes = |island: &Island| is_coupled(island) && !island.done;
+            let goes = |island: &Island| !island.is_solitary && !island.done;
             if !islands.iter().any(goes) {
                 break;
             }

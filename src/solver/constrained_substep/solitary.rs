@@ -1,8 +1,7 @@
 //! Newton iterations of strands that share no constraint with others: what touches them is bodies, or holds them in place. Each
 //! is an island by itself, so that a pack takes all its iterations at once, while it is in a core's cache.
 //!
-//! A pack pauses where a strand begins its step again, which needs another pack, and where it has spent its share of the work
-//! that is left. Shares are handed out while no thread works, so that no result depends on the threads.
+//! A strand that begins its step again needs another pack, and waits until its pack is through.
 
 use super::iterations::distribute_work;
 use super::packs::{MAX_LANES, Work, first_half, second_half, with_work};
@@ -28,10 +27,6 @@ struct Spent {
     contact: f64,
 }
 
-fn is_solitary(island: &Island) -> bool {
-    island.strands.len() == 1
-}
-
 /// Whether a strand takes part in the next iteration.
 fn goes_on(constrained: &ConstrainedStrand, island: &Island) -> bool {
     !island.done && island.iterations_left > 0 && !constrained.begins_again
@@ -44,7 +39,7 @@ impl ConstrainedSubstep {
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             let stopped = scene.meter.stopped();
             if stopped != Stopped::No {
-                return islands.iter_mut().filter(|island| is_solitary(island)).for_each(|island| island.stop(stopped));
+                return islands.iter_mut().filter(|island| island.is_solitary).for_each(|island| island.stop(stopped));
             }
             distribute_work(islands, |island| !island.done, scene.meter.left());
             let spent = std::sync::Mutex::new(Spent::default());
@@ -88,9 +83,8 @@ fn iterate_pack(Work { pack, members }: &mut Work<Member>, scene: &Scene, h: f64
     let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
     let second_order = setting.options.integrator == Integrator::SecondOrder;
     let (begins, alone) = (Instant::now(), WorkerSet::serial());
-    let share: u64 = members.iter().flatten().filter(|(_, island)| !island.done).map(|(_, island)| island.max_work).sum();
-    let (mut work, mut contact) = (0, 0.0);
-    while work <= share && !meter.is_halted() {
+    let mut contact = 0.0;
+    while !meter.is_halted() {
         for (constrained, island) in members.iter_mut().flatten() {
             if !island.done || island.ending.stopped != Stopped::No || island.iterations_left == 0 {
                 continue;
@@ -118,7 +112,6 @@ fn iterate_pack(Work { pack, members }: &mut Work<Member>, scene: &Scene, h: f64
             let strand = Solitary(constrained);
             island.find_ends(&strand);
             island.solve_or_diverge(&strand, options, h, &mut scratch.problem, &alone, meter);
-            work += island.report.work + 2 * constrained.half_work();
             if second_order && !island.done && island.iterations < options.max_iterations {
                 constrained.begins_again |= !constrained.first_order && island.presses();
             }
