@@ -11,6 +11,7 @@ import numpy.typing as npt
 Positions = npt.NDArray[np.float32]
 
 DRAWN = "superhelix_drawn"
+_TICK = "superhelix_tick"
 _TYPES = ("CATMULL_ROM", "POLY", "BEZIER", "NURBS")
 
 
@@ -69,11 +70,35 @@ def drawn(curves: bpy.types.Curves) -> Positions:
 
 def keep_drawn(curves: bpy.types.Curves, positions: Positions) -> None:
     """Keeps positions as the drawn ones."""
-    attribute = curves.attributes.get(DRAWN) or curves.attributes.new(DRAWN, "FLOAT_VECTOR", "POINT")
-    attribute.data.foreach_set("vector", np.ascontiguousarray(positions, dtype=np.float32).reshape(-1))
+    put_vectors(curves, DRAWN, positions)
 
 
 def put_numbers(curves: bpy.types.Curves, name: str, kind: str, values: npt.NDArray[np.generic]) -> None:
     """Writes an attribute of the curves: a FLOAT or an INT each."""
     attribute = curves.attributes.get(name) or curves.attributes.new(name, kind, "CURVE")
     attribute.data.foreach_set("value", values)
+
+
+def put_vectors(curves: bpy.types.Curves, name: str, vectors: Positions) -> None:
+    """Writes a vector attribute of the points."""
+    attribute = curves.attributes.get(name) or curves.attributes.new(name, "FLOAT_VECTOR", "POINT")
+    attribute.data.foreach_set("vector", np.ascontiguousarray(vectors, dtype=np.float32).reshape(-1))
+
+
+def animate(curves: bpy.types.Curves, first: int, last: int) -> None:
+    """Keys a custom property: exporters of Alembic and USD write a single frame of curves that nothing animates."""
+    curves[_TICK] = 0.0
+    for frame in (first, last):
+        curves.keyframe_insert(f'["{_TICK}"]', frame=frame)
+
+
+def forget_animation(curves: bpy.types.Curves) -> None:
+    """Takes that property and its keys away."""
+    action = curves.animation_data.action if curves.animation_data is not None else None
+    if action is not None:
+        # Blender 5 has no list of all of an action's curves.
+        bags = [action] if hasattr(action, "fcurves") else [bag for layer in action.layers for strip in layer.strips for bag in strip.channelbags]
+        for bag in bags:
+            for line in [line for line in bag.fcurves if line.data_path == f'["{_TICK}"]']:
+                bag.fcurves.remove(line)
+    curves.pop(_TICK, None)

@@ -20,7 +20,6 @@ from .surroundings import Surroundings, metres_per_unit, world_matrix
 
 #: What the engine and this package raise for input that cannot be used.
 ERRORS = (ValueError, TypeError, LookupError, OSError, RuntimeError, MemoryError, shx.SuperhelixError)
-_TICK = "superhelix_tick"
 _MUTED = "superhelix_muted"
 
 
@@ -30,15 +29,22 @@ def active_curves(context: bpy.types.Context) -> bpy.types.Object | None:
     return obj if obj is not None and obj.type == "CURVES" else None
 
 
-def _surface_modifiers(obj: bpy.types.Object) -> list[bpy.types.Modifier]:
-    """Modifiers that move curves along with their surface, which simulated curves do by themselves."""
-    return [
-        modifier
-        for modifier in obj.modifiers
-        if modifier.type == "NODES"
-        and modifier.node_group is not None
-        and any(node.bl_idname == "GeometryNodeDeformCurvesOnSurface" for node in modifier.node_group.nodes)
-    ]
+def _moves(modifier: bpy.types.Modifier) -> bool:
+    """Whether a modifier moves curves along with their surface, which simulated curves do by themselves, or as an imported file says."""
+    if modifier.type == "MESH_SEQUENCE_CACHE":
+        return True
+    tree = modifier.node_group if modifier.type == "NODES" else None
+    return tree is not None and any(node.bl_idname == "GeometryNodeDeformCurvesOnSurface" for node in tree.nodes)
+
+
+def _present_positions(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> memory.Positions:
+    """The positions that are seen: those of an imported file come from a modifier."""
+    if not any(modifier.type == "MESH_SEQUENCE_CACHE" and modifier.show_viewport for modifier in obj.modifiers):
+        return memory.read(obj.data)
+    seen = memory.read(obj.evaluated_get(depsgraph).data)
+    if len(seen) != len(obj.data.points):
+        raise ValueError(f"curves {obj.name}: {len(obj.data.points)} points, and their modifiers make {len(seen)} of them; apply the modifiers first")
+    return seen
 
 
 class HairOperator(bpy.types.Operator):
@@ -106,25 +112,29 @@ class SUPERHELIX_OT_setup(HairOperator):
             raise ValueError(f"curves {obj.name}: no curves; draw some first")
         if len(memory.types(curves)) > 1 or "BEZIER" in memory.types(curves):
             raise ValueError(f"curves {obj.name}: of types {', '.join(sorted(memory.types(curves)))}; make all Catmull-Rom or Poly (Curves > Set Curve Type)")
-        around = Surroundings(obj, context.scene, context.evaluated_depsgraph_get())
+        graph = context.evaluated_depsgraph_get()
+        fresh = memory.DRAWN not in curves.attributes
+        if fresh:
+            memory.keep_drawn(curves, _present_positions(obj, graph))
+        try:
+            around = Surroundings(obj, context.scene, graph)
+        except BaseException:
+            if fresh:
+                curves.attributes.remove(curves.attributes[memory.DRAWN])
+            raise
         around.close()
-        if memory.DRAWN not in curves.attributes:
-            memory.keep_drawn(curves, memory.read(curves))
-        muted = _surface_modifiers(obj)
+        muted = [modifier for modifier in obj.modifiers if _moves(modifier)]
         for modifier in muted:
             modifier.show_viewport = modifier.show_render = False
         obj[_MUTED] = [modifier.name for modifier in muted]
-        # Exporters of Alembic and USD write a frame only of curves that something animates.
-        curves[_TICK] = 0.0
-        for frame in (context.scene.frame_start, context.scene.frame_end):
-            curves.keyframe_insert(f'["{_TICK}"]', frame=frame)
+        memory.animate(curves, context.scene.frame_start, context.scene.frame_end)
         obj.superhelix.role = Role.GUIDES.value
         obj.superhelix.frame_start = context.scene.frame_current
         for warning in around.warnings:
             self.report({"WARNING"}, warning)
         if muted:
             names = ", ".join(modifier.name for modifier in muted)
-            self.report({"INFO"}, f"Switched off {names}: simulated curves follow their surface by themselves")
+            self.report({"INFO"}, f"Switched off {names}: simulated curves move by themselves")
         return {"FINISHED"}
 
 
@@ -145,9 +155,7 @@ class SUPERHELIX_OT_remove(HairOperator):
             if name in obj.modifiers:
                 obj.modifiers[name].show_viewport = obj.modifiers[name].show_render = True
         obj.pop(_MUTED, None)
-        curves.keyframe_delete(f'["{_TICK}"]', frame=context.scene.frame_start)
-        curves.keyframe_delete(f'["{_TICK}"]', frame=context.scene.frame_end)
-        curves.pop(_TICK, None)
+        memory.forget_animation(curves)
         obj.superhelix.role = Role.NONE.value
         return {"FINISHED"}
 
@@ -303,7 +311,8 @@ class SUPERHELIX_OT_grow(HairOperator):
             message = play.playback(grown).message
             bpy.data.objects.remove(grown)
             raise ValueError(message)
-        self.report({"INFO"}, f"{len(grown.data.curves)} hairs follow {len(obj.data.curves)} curves")
+        obj.hide_render = True
+        self.report({"INFO"}, f"{len(grown.data.curves)} hairs follow {len(obj.data.curves)} curves, which renders do not show any more")
         return {"FINISHED"}
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 
 from . import play
-from .properties import Role
+from .properties import LOOK, Role
 
 
 class _Physics:
@@ -50,8 +50,9 @@ class SUPERHELIX_PT_hair(_Physics, bpy.types.Panel):
         for warning in here.warnings:
             _lines(layout, warning, "ERROR")
         if chosen.role == Role.GROWN.value:
-            for name in ("guides", "curliness", "follow", "render_seed", "hair_radius"):
+            for name in ("guides", *LOOK):
                 layout.prop(chosen, name)
+            layout.operator("superhelix.export")
             return
         if here.state is play.State.EDITED:
             row = layout.row()
@@ -101,10 +102,13 @@ class SUPERHELIX_PT_cache(_Sub, bpy.types.Panel):
         if here.frames is not None:
             text = f"Frames {here.frames.first} to {here.frames.last}"
             layout.label(text=f"{text}; {1e3 * here.seconds:.0f} ms for the last new one" if here.seconds else text)
+        if here.session is not None and here.session.notes:
+            _lines(layout, f"{len(here.session.notes)} notes, the last: {here.session.notes[-1]}", "INFO")
         row = layout.row(align=True)
         for name in ("superhelix.bake", "superhelix.cancel", "superhelix.free"):
             row.operator(name)
         layout.operator("superhelix.simulate_again")
+        layout.operator("superhelix.export")
 
 
 class SUPERHELIX_PT_contact(_Sub, bpy.types.Panel):
@@ -114,7 +118,7 @@ class SUPERHELIX_PT_contact(_Sub, bpy.types.Panel):
 
     def fill(self, layout: bpy.types.UILayout, obj: bpy.types.Object) -> None:
         """Surface, collection, friction."""
-        for name in ("use_surface", "colliders", "friction", "hair_contact"):
+        for name in ("use_surface", "colliders", "contact_model", "friction", "hair_contact"):
             layout.prop(obj.superhelix, name)
 
 
@@ -136,7 +140,11 @@ class SUPERHELIX_PT_render(_Sub, bpy.types.Panel):
 
     def fill(self, layout: bpy.types.UILayout, obj: bpy.types.Object) -> None:
         """What grows."""
-        for name in ("render_count", "render_points", "curliness", "follow", "render_seed", "hair_radius"):
+        layout.prop(obj.superhelix, "render_count")
+        surface = obj.data.surface
+        if surface is not None:
+            layout.prop_search(obj.superhelix, "render_density", surface, "vertex_groups")
+        for name in ("render_points", *LOOK):
             layout.prop(obj.superhelix, name)
         layout.operator("superhelix.grow")
 

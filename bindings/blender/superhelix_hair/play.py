@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import time
 import traceback
+from collections.abc import Iterator
 from enum import Enum
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from . import memory
 from .core import store
 from .core.session import CancelledError, Session
 from .growing import Grown
-from .properties import Role, settings_of
+from .properties import LOOK_LISTENERS, Role, settings_of
 from .surroundings import Surroundings
 
 
@@ -225,7 +226,7 @@ def show_grown(obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.typ
         if source.around is None:
             here.state, here.message = State.WAITING, f"Go to frame {guides.superhelix.frame_start}: render hair starts there"
             return
-        if grown is None or not grown.belongs_to(source.around):
+        if grown is None or not grown.is_current(obj, source.around):
             if grown is not None:
                 grown.close()
             grown = _GROWN[obj.session_uid] = Grown(obj, guides, source.around)
@@ -233,6 +234,12 @@ def show_grown(obj: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.typ
         here.state, here.message = State.READY, ""
     except (ValueError, TypeError, LookupError, OSError, RuntimeError, MemoryError, shx.SuperhelixError) as error:
         here.fail(error)
+
+
+def _show_look(obj: bpy.types.Object) -> None:
+    """Shows render hair whose options have changed, unless its guides are not simulated yet."""
+    if obj.superhelix.guides is not None and playback(obj.superhelix.guides).around is not None:
+        show_grown(obj, bpy.context.scene, bpy.context.evaluated_depsgraph_get())
 
 
 def reset(obj: bpy.types.Object) -> None:
@@ -301,14 +308,27 @@ def forget_all() -> None:
 _HANDLERS = (("frame_change_post", on_frame), ("load_pre", on_load), ("undo_post", on_undo), ("redo_post", on_undo))
 
 
+@contextlib.contextmanager
+def paused() -> Iterator[None]:
+    """Frames change without the extension."""
+    handlers = bpy.app.handlers.frame_change_post
+    handlers.remove(on_frame)
+    try:
+        yield
+    finally:
+        handlers.append(on_frame)
+
+
 def register() -> None:
     """Adds the handlers."""
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
+    LOOK_LISTENERS.append(_show_look)
 
 
 def unregister() -> None:
     """Takes them away."""
+    LOOK_LISTENERS.remove(_show_look)
     for name, handler in _HANDLERS:
         with contextlib.suppress(ValueError):
             getattr(bpy.app.handlers, name).remove(handler)

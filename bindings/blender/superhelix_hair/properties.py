@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from enum import Enum
 
 import bpy
 import numpy as np
+import superhelix as shx
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty, StringProperty
 
 from .core.settings import HAIR_TYPES, HairSettings, Quality
@@ -45,6 +47,23 @@ _SIDES = [
     ("FRONT", "Front", "Hair stays in front of the faces; for an open bust"),
     ("BOTH", "Both", "A sheet: hair stays on the side where it is"),
 ]
+
+
+#: Options of render hair that the object that has grown keeps, and that take effect at once.
+LOOK = (
+    *("curliness", "follow", "render_seed", "render_wisps", "wisp_profile", "parting", "length_variation", "frizz", "flyaways", "flyaway_distance"),
+    "hair_radius",
+)
+
+
+#: Called with an object of render hair whose look has changed; layers above add themselves.
+LOOK_LISTENERS: list[Callable[[bpy.types.Object], None]] = []
+
+
+def _look_changed(options: bpy.types.PropertyGroup, _: bpy.types.Context) -> None:
+    if options.role == Role.GROWN.value:
+        for listener in LOOK_LISTENERS:
+            listener(options.id_data)
 
 
 class ColliderOptions(bpy.types.PropertyGroup):
@@ -92,6 +111,15 @@ class HairOptions(bpy.types.PropertyGroup):
     )
     substeps: IntProperty(name="Substeps", default=0, min=0, max=1000, description="Steps per frame. 0: as the quality says")
     element_count: IntProperty(name="Elements", default=0, min=0, max=1000, description="Helical elements of a curve; curls get more. 0: as the quality says")
+    contact_model: EnumProperty(
+        name="Contact",
+        items=[
+            ("COULOMB", "Exact", "Surfaces do not overlap, and hair sticks and slides. For final animation"),
+            ("PENALTY", "Fast", "Springs: hair overlaps by millimetres, and always creeps. Half the time"),
+        ],
+        default="COULOMB",
+        description="How contact is solved",
+    )
     hair_contact: BoolProperty(name="Hair on Hair", default=False, description="Locks collide with each other. Costs several times more")
     friction: FloatProperty(name="Friction", default=1.0, min=0.0, max=100.0, description="Factor on the friction of hair on colliders")
     air_drag: FloatProperty(
@@ -117,11 +145,17 @@ class HairOptions(bpy.types.PropertyGroup):
         name="Snapshot Every", default=10, min=1, max=1000, description="Frames between states of the engine in the cache, from which a simulation continues"
     )
     guides: PointerProperty(type=bpy.types.Object, name="Guides", description="The simulated curves that these follow")
-    render_seed: IntProperty(name="Seed", default=0, min=0, description="Another seed gives other render hair")
+    render_seed: IntProperty(name="Seed", default=0, min=0, description="Another seed gives other render hair", update=_look_changed)
     render_count: IntProperty(name="Count", default=5000, min=1, max=1_000_000, description="Number of render hairs")
     render_points: IntProperty(name="Points", default=16, min=2, max=256, description="Points of a render hair. Curls need 8 a turn")
     curliness: FloatProperty(
-        name="Clumping", default=0.5, min=0.0, max=1.0, subtype="FACTOR", description="0: spread between guides; 0.5: wisps at the tips; 1: separate locks"
+        name="Clumping",
+        default=0.5,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        description="0: spread between guides; 0.5: wisps at the tips; 1: separate locks",
+        update=_look_changed,
     )
     follow: EnumProperty(
         name="Follow",
@@ -131,8 +165,52 @@ class HairOptions(bpy.types.PropertyGroup):
         ],
         default="POSITION",
         description="What render hair takes from its guides",
+        update=_look_changed,
     )
-    hair_radius: FloatProperty(name="Radius (mm)", default=0.04, min=0.001, max=10.0, precision=3, description="Radius of a hair at its root, mm")
+    render_density: StringProperty(
+        name="Density",
+        default="",
+        description="Vertex group of the surface: how densely render hair grows. Empty: evenly wherever guides cover the surface",
+    )
+    render_wisps: IntProperty(name="Wisps", default=4, min=1, max=10_000, description="Wisps that the hairs of a guide gather in", update=_look_changed)
+    wisp_profile: FloatVectorProperty(
+        name="Wisp Profile",
+        default=(1.0, 0.6, 0.08),
+        min=0.0,
+        max=100.0,
+        size=3,
+        description="Radius of a wisp at root, middle and tip, relative to the spacing of roots",
+        update=_look_changed,
+    )
+    parting: FloatProperty(
+        name="Parting (mm)",
+        default=0.0,
+        min=0.0,
+        max=1000.0,
+        description="Hairs do not mix guides whose tips are farther apart than their roots by more than this, mm. 0: no limit",
+        update=_look_changed,
+    )
+    length_variation: FloatProperty(
+        name="Length Variation",
+        default=0.25,
+        min=0.0,
+        max=0.99,
+        subtype="FACTOR",
+        description="Largest part by which hairs are cut short, at random",
+        update=_look_changed,
+    )
+    frizz: FloatProperty(
+        name="Frizz (mm)", default=0.0, min=0.0, max=100.0, description="How far hairs leave their paths at the tips, mm", update=_look_changed
+    )
+    flyaways: FloatProperty(
+        name="Flyaways", default=0.02, min=0.0, max=1.0, subtype="FACTOR", description="Fraction of hairs that leave their wisps", update=_look_changed
+    )
+    flyaway_distance: FloatProperty(
+        name="Flyaway Distance (mm)", default=5.0, min=0.0, max=1000.0, description="How far these leave them at the tips, mm", update=_look_changed
+    )
+    hair_radius: FloatProperty(
+        name="Radius (mm)", default=0.04, min=0.001, max=10.0, precision=3, description="Radius of a hair at its root, mm", update=_look_changed
+    )
 
 
 def exact(number: float) -> float:
@@ -153,6 +231,7 @@ def settings_of(obj: bpy.types.Object) -> HairSettings:
         substeps=chosen.substeps,
         element_count=chosen.element_count,
         hair_contact=chosen.hair_contact,
+        contact_model=shx.ContactModel[chosen.contact_model],
         friction=exact(chosen.friction),
         gravity=(exact(chosen.gravity[0]), exact(chosen.gravity[1]), exact(chosen.gravity[2])),
         worker_count=chosen.threads or min(os.cpu_count() or 1, 256),

@@ -101,13 +101,14 @@ def head_scene(every: int = 1, unit: float = 1.0, frames: int = 100, fps: int = 
     return carrier, bust, hair
 
 
-def walk(carrier: bpy.types.Object, frames: int, unit: float = 1.0, fps: int = 24, eased: bool = True) -> None:
-    """Keyframes of a recorded head, relative to its first pose, about the head's joint."""
+def walk(carrier: bpy.types.Object, frames: int, unit: float = 1.0, fps: int = 24, ease: float = 0.0) -> None:
+    """Keyframes of a recorded head, relative to its first pose, about the head's joint. ease: seconds in which it comes up to speed."""
     times, poses = shx.read_motion(GROOMS / "walk_figure8_head.csv")
     motion = shx.motion_from_samples(times, poses)
     first, joint = motion(0.0), np.array([0.0, 1.55, 0.0])
     for frame in range(1, frames + 1):
         time = (frame - 1) / fps
+        time = time**2 / (2.0 * ease) if time < ease else time - 0.5 * ease
         row = shx.carried(first, motion(time), joint)
         matrix = np.eye(4)
         matrix[:3, :3] = TURN @ shx.frames.rotate(row[3:], np.eye(3)).T @ TURN.T

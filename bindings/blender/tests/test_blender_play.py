@@ -360,31 +360,3 @@ def test_bounds_follow() -> None:
         box = np.array([corner[:] for corner in evaluated.bound_box])
         # Hair that states no radius has one of a centimetre.
         assert np.allclose(box.max(0) - shown.max(0), 0.01, atol=2e-4) and np.allclose(shown.min(0) - box.min(0), 0.01, atol=2e-4)
-
-
-def test_exporters_see_motion(tmp_path: Path) -> None:
-    carrier, _, _ = scenes.head_scene(every=8, frames=6)
-    scenes.shake(carrier, 6, angle=0.6)
-    bpy.ops.superhelix.setup()
-    bpy.ops.superhelix.bake()
-    rows = [go(frame) for frame in range(1, 7)]
-    for suffix in ("abc", "usda"):
-        path = str(tmp_path / f"hair.{suffix}")
-        if suffix == "abc":
-            bpy.ops.wm.alembic_export(filepath=path, start=1, end=6, selected=True)
-        else:
-            bpy.ops.wm.usd_export(filepath=path, selected_objects_only=True, export_animation=True)
-            assert Path(path).read_text().count("6: [") >= 1
-            continue
-        bpy.ops.wm.read_factory_settings(use_empty=True)
-        bpy.ops.wm.alembic_import(filepath=path, as_background_job=False)
-        found = next(obj for obj in bpy.data.objects if obj.type == "CURVES")
-        for frame in (1, 4, 6):
-            bpy.context.scene.frame_set(frame)
-            read = memory.read(found.evaluated_get(bpy.context.evaluated_depsgraph_get()).data)
-            assert np.allclose(read, rows[frame - 1], atol=1e-6)
-        assert not np.allclose(rows[0], rows[5], atol=1e-4)
-        carrier, _, _ = scenes.head_scene(every=8, frames=6)
-        scenes.shake(carrier, 6, angle=0.6)
-        bpy.ops.superhelix.setup()
-        bpy.ops.superhelix.bake()

@@ -222,6 +222,23 @@ def test_cancel(tmp_path: Path) -> None:
     session.close()
 
 
+def test_the_limit_of_work_is_no_cancellation(tmp_path: Path) -> None:
+    """Contact that is cut short gives a frame that is rougher, and a note; the run goes on, and repeats to the bit."""
+    rows = []
+    for folder in ("a", "b"):
+        rest, inputs = scene()
+        session = Session(rest, HairSettings(hair_contact=True), folder=tmp_path / folder, frame_time=DT)
+        options = session.rig.solver.options()
+        options.max_work = 1
+        session.rig.solver.set_options(options)
+        session.run(6, inputs)
+        assert session.last == 6 and session.report.stop_reason == shx.StopReason.WORK
+        assert session.notes[-1].startswith("frame 6: contact of ") and "limit of work" in session.notes[-1]
+        rows.append(session.positions(6).copy())
+        session.close()
+    assert np.isfinite(rows[0]).all() and np.array_equal(*rows)
+
+
 def test_wrong_inputs_change_nothing(tmp_path: Path) -> None:
     rest, inputs = scene()
     session = make(rest, tmp_path)

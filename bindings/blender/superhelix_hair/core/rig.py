@@ -77,8 +77,7 @@ class Rig:
             solver.adopt_rest_shapes(self.strands)
             self.stiffening = np.ones(len(self.strands))
         if self.bodies or contact.wisp_radius > 0.0:
-            if contact.wisp_radius > 0.0:
-                solver.set_contact_options(shx.ContactOptions(hair_contact=True))
+            solver.set_contact_options(shx.ContactOptions(model=settings.contact_model, hair_contact=contact.wisp_radius > 0.0))
             solver.set_strand_contact(contact, self.strands)
             solver.permit_overlaps(self.strands)
         solver.set_wind(rest.inputs.wind)

@@ -101,7 +101,7 @@ class Session:
             self._return_to_last()
         try:
             report = self.rig.step(inputs, cancel)
-            if report.stop_reason != shx.StopReason.NONE:
+            if report.stop_reason == shx.StopReason.CANCELLED:
                 raise CancelledError(f"frame {self.last + 1} was cancelled")
             positions = self.rig.local_points(inputs)
             if not np.all(np.isfinite(positions)):
@@ -115,6 +115,8 @@ class Session:
         self.report = report
         if report.quarantined:
             self.notes.append(f"frame {self.frame}: {report.quarantined} strand steps diverged and were rolled back")
+        if report.stop_reason == shx.StopReason.WORK:
+            self.notes.append(f"frame {self.frame}: contact of {report.unfinished} curves was cut short at the limit of work, and looks rougher")
         return positions
 
     def go_back(self, frame: int) -> int:

@@ -44,6 +44,7 @@ class HairSettings:
     element_count: int = 0
     #: Whether strands collide with each other.
     hair_contact: bool = False
+    contact_model: shx.ContactModel = shx.ContactModel.COULOMB
     #: Factor on the default friction of hair on colliders.
     friction: float = 1.0
     gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)
@@ -64,7 +65,7 @@ class HairSettings:
         """A hash of all that changes results."""
         fields = dataclasses.asdict(self)
         del fields["worker_count"]
-        fields["quality"] = self.quality.value
+        fields["quality"], fields["contact_model"] = self.quality.value, self.contact_model.name
         return hashlib.sha256(json.dumps(fields, sort_keys=True).encode()).hexdigest()
 
     def one_hair(self) -> shx.Material | None:

@@ -27,12 +27,18 @@ from superhelix.solver import Solver
 from superhelix.strand_defs import StrandDefs
 
 if TYPE_CHECKING:
+    from superhelix import alembic
     from superhelix.usd import HairWriter
 
 Numbers = npt.NDArray[np.float64]
 
 _MOST_ELEMENTS = 100
 _REFITS = 12
+
+
+def is_alembic(path: Path) -> bool:
+    """Whether a path is that of an Alembic file."""
+    return os.fsdecode(path).lower().endswith(".abc")
 
 
 def is_binary_usd(path: Path) -> bool:
@@ -66,7 +72,7 @@ class Groom:
     def read(cls, path: Path, *, scale: float | None = None, up_axis: UpAxis | None = None, every: int = 1) -> Groom:
         """Reads a groom file. scale: metres per file unit; None: as the file states, else 1, with an error if no hair has such a length. up_axis: None:
         as the file states, else y. every: 2 takes every second strand, and so on. Binary USD (.usdc, .usdz, .usd) needs superhelix[usd], whose
-        superhelix.usd.read_hair has more choices.
+        superhelix.usd.read_hair has more choices. Alembic (.abc): the first time of the file; superhelix.alembic.read_hair has others.
         """
         if every < 1:
             raise ValueError(f"every: {every}; at least 1 expected")
@@ -75,19 +81,15 @@ class Groom:
 
             groom = read_hair(path, metres_per_unit=scale).select(slice(None, None, every)).groom()
             return groom if up_axis is None else cls(groom.points, groom.point_counts, up_axis, groom.metres_per_unit, groom.arclengths)
-        with Curves(path) as curves:
-            units, counts = curves.units(), curves.point_counts()
-            metres = scale if scale is not None else (units.metres or 1.0)
-            rows = curves.points(metres, dtype=np.float64)
-            along = curves.attribute(CurveAttribute.ARCLENGTH)
+        rows, counts, along, metres, stated, axis = _read_curves(path, scale)
         lengths = np.array([np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() for curve in np.split(rows, np.cumsum(counts)[:-1])])
         median = float(np.median(lengths)) if len(lengths) else 0.0
-        if scale is None and not units.metres and not 0.005 <= median <= 1.2:
+        if scale is None and not stated and not 0.005 <= median <= 1.2:
             raise ValueError(f"scale: {path} does not state its unit, and its median strand is {median:.3g} units long: give metres a unit")
         keep = np.zeros(len(counts), dtype=bool)
         keep[::every] = True
         mask = np.repeat(keep, counts)
-        up = up_axis if up_axis is not None else (units.up_axis or UpAxis.Y)
+        up = up_axis if up_axis is not None else (axis or UpAxis.Y)
         return cls(rows[mask], counts[keep], up, metres, None if along is None else along[mask].astype(np.float64) * metres)
 
     @property
@@ -103,6 +105,21 @@ class Groom:
 
     def __len__(self) -> int:
         return len(self.point_counts)
+
+
+def _read_curves(path: Path, scale: float | None) -> tuple[Numbers, npt.NDArray[np.uint32], Any, float, bool, UpAxis]:
+    """Points (m) of a file's curves, their numbers, arclengths (in the file's unit) if it has some, its unit, whether it states it, and its up axis."""
+    if is_alembic(path):
+        from superhelix.alembic import read_hair
+
+        metres = 1.0 if scale is None else scale
+        hair = read_hair(path, metres_per_unit=metres)
+        return hair.points, hair.point_counts, None, metres, False, UpAxis.Y
+    with Curves(path) as curves:
+        units, counts = curves.units(), curves.point_counts()
+        metres = scale if scale is not None else (units.metres or 1.0)
+        along = curves.attribute(CurveAttribute.ARCLENGTH)
+        return curves.points(metres, dtype=np.float64), counts, along, metres, bool(units.metres), UpAxis(units.up_axis)
 
 
 def _largest_turns(fit: Fit) -> Numbers:
@@ -268,8 +285,8 @@ def simulate(
     settings: Settings | None = None,
     **preparation: Any,
 ) -> Simulation:
-    """Simulates a groom on a moving head for duration seconds at fps frames per second. With cache, also writes a USD file with velocities: .usda, or
-    with superhelix[usd] .usdc or .usdz, which have material frames and widths too.
+    """Simulates a groom on a moving head for duration seconds at fps frames per second. With cache, also writes a file with velocities: .usda; .abc
+    with widths; or with superhelix[usd] .usdc or .usdz, which have material frames and widths too.
 
     motion: the head's frame at a time; at the time start the groom is as drawn. substeps: steps per frame (default: 2, or as settings say).
     progress(frame, frames) is called after each frame. preparation: arguments of prepare.
@@ -314,15 +331,17 @@ def _write_frame(
     made: GroomSolver,
     groom: Groom,
     cache: Path,
-    writer: CurveCacheWriter | HairWriter | None,
+    writer: CurveCacheWriter | HairWriter | alembic.HairWriter | None,
     fps: float,
     time: float,
     points: npt.NDArray[np.float32],
-) -> CurveCacheWriter | HairWriter:
+) -> CurveCacheWriter | HairWriter | alembic.HairWriter:
     """Writes a frame of the cache, in the groom's own units."""
     velocities = made.solver.sample_velocities(points.shape[1], made.strands)
     if is_binary_usd(cache):
         return _write_usd_frame(made, groom, cache, writer, fps, time, points, velocities)
+    if is_alembic(cache):
+        return _write_alembic_frame(made, groom, cache, writer, time, points, velocities)
     scale = 1.0 / groom.metres_per_unit
     rows, velocities = points * np.float32(scale), velocities * scale
     if writer is None:
@@ -346,10 +365,28 @@ def _write_usd_frame(
     from superhelix.usd import HairWriter
 
     if writer is None:
-        counts = np.full(points.shape[0], points.shape[1])
-        widths = [2.0 * max(made.solver.material(strand).radius) for strand in made.strands]
+        counts, widths = np.full(points.shape[0], points.shape[1]), _widths(made)
         options: dict[str, Any] = {"up_axis": groom.up_axis, "metres_per_unit": groom.metres_per_unit, "widths": widths}
         writer = HairWriter(cache, counts, frames_per_second=fps, primvars={"superhelix:curve": made.indices}, **options)
     writer.write(time, points, velocities, made.solver.sample_frames(points.shape[1], made.strands))
     made_writer: HairWriter = writer
     return made_writer
+
+
+def _write_alembic_frame(
+    made: GroomSolver, groom: Groom, cache: Path, writer: Any, time: float, points: npt.NDArray[np.float32], velocities: Numbers
+) -> alembic.HairWriter:
+    """The same in Alembic, with widths."""
+    from superhelix.alembic import HairWriter
+
+    if writer is None:
+        counts = np.full(points.shape[0], points.shape[1])
+        writer = HairWriter(cache, counts, up_axis=groom.up_axis, metres_per_unit=groom.metres_per_unit, widths=_widths(made))
+    writer.write(time, points, velocities)
+    made_writer: HairWriter = writer
+    return made_writer
+
+
+def _widths(made: GroomSolver) -> list[float]:
+    """The diameter of each strand, m."""
+    return [2.0 * max(made.solver.material(strand).radius) for strand in made.strands]

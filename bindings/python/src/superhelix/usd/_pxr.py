@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any, NoReturn
 
 try:
@@ -14,7 +15,22 @@ except ImportError as _error:
         "or Omniverse, use the host's own Python, which has it"
     ) from _error
 
-__all__ = ["Gf", "Sdf", "Usd", "UsdError", "UsdGeom", "UsdPhysics", "UsdShade", "UsdSkel", "UsdUtils", "UsdWarning", "Vt", "errors_of", "refuse"]
+__all__ = [
+    "Gf",
+    "Sdf",
+    "Usd",
+    "UsdError",
+    "UsdGeom",
+    "UsdPhysics",
+    "UsdShade",
+    "UsdSkel",
+    "UsdUtils",
+    "UsdWarning",
+    "Vt",
+    "errors_of",
+    "refuse",
+    "reload_layers",
+]
 
 
 class UsdError(ValueError):
@@ -46,3 +62,11 @@ def errors_of(name: Any) -> Iterator[None]:
         if "to_python" not in str(error):
             raise
         raise UsdError(name, "has a value of a type that no attribute can have: the file is damaged") from None
+
+
+def reload_layers(paths: Iterable[Path]) -> None:
+    """Lets stages that this process has open see what is now in their files. A layer with unsaved changes keeps them."""
+    for path in paths:
+        layer = Sdf.Layer.Find(str(path))
+        if layer and not layer.dirty:
+            layer.Reload()

@@ -12,11 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from superhelix._buffers import column
+from superhelix._part_files import PartFile
 from superhelix.enums import UpAxis
 from superhelix.usd import layout as laid
-from superhelix.usd._pxr import Sdf, Usd, UsdGeom, UsdUtils
+from superhelix.usd._pxr import Sdf, Usd, UsdGeom, UsdUtils, reload_layers
 from superhelix.usd.curves.bases import Numbers
-from superhelix.usd.part_files import PartFile, reload_layers
 
 FileLayout = Literal["samples", "clips"]
 _SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")

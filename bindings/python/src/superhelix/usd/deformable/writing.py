@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from superhelix._part_files import PartFile
 from superhelix.enums import UpAxis
-from superhelix.usd._pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, Vt
+from superhelix.usd._pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, Vt, reload_layers
 from superhelix.usd.deformable.model import BODY_API, CURVES_API, MATERIAL_API, REVISION, STIFFNESSES, DeformableCurves
 from superhelix.usd.layout import extent, floats, prim_name, vectors
-from superhelix.usd.part_files import PartFile, reload_layers
 
 
 def write_deformables(

@@ -8,10 +8,7 @@ import platform
 import re
 import shutil
 import sys
-from collections.abc import Iterable
 from pathlib import Path
-
-from superhelix.usd._pxr import Sdf
 
 _numbers = itertools.count()
 
@@ -47,14 +44,6 @@ def remove_stale(target: Path) -> None:
         found = pattern.fullmatch(path.name)
         if found and int(found[1]) != os.getpid() and not _lives(int(found[1])):
             _remove(path)
-
-
-def reload_layers(paths: Iterable[Path]) -> None:
-    """Lets stages that this process has open see what is now in their files. A layer with unsaved changes keeps them."""
-    for path in paths:
-        layer = Sdf.Layer.Find(str(path))
-        if layer and not layer.dirty:
-            layer.Reload()
 
 
 class PartFile:
