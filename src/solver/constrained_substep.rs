@@ -7,9 +7,9 @@
 //! - `account.rs`: The results of a constrained substep: the outcomes of strands, the list of contacts, the loads of bodies and bilateral constraints.
 //! - `contact_limit.rs`: The largest number of contacts of a strand.
 //! - `formula.rs`: The integration formula of constrained strands.
-//! - `iterations.rs`: Newton iterations of all islands, and of those that couple strands.
+//! - `iterations.rs`: Newton iterations of all islands.
 //! - `packs.rs`: Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
-//! - `solitary.rs`: Newton iterations of strands that share no constraint with others, pack by pack.
+//! - `solitary.rs`: Newton iterations of strands that share no constraint with others: what touches them is bodies, or holds them in place.
 //! - `substeps.rs`: Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they are small.
 //! - `tests.rs`: Substeps in which the limit of searches is reached before all contacts are found.
 
