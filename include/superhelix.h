@@ -1725,7 +1725,8 @@ typedef struct shx_contact_options {
 // Threads: any.
 SHX_API shx_result shx_contact_options_init(shx_contact_options *options, size_t size);
 
-// Sets the contact options, from the next step on.
+// Sets the contact options, from the next step on. SHX_CONTACT_COULOMB with max_iterations of 10 or less is
+// accepted with one SHX_LOG_WARN message: there it is a limit that strands run into, and no choice of cost.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range).
 // Threads: exclusive.
 SHX_API shx_result shx_solver_set_contact_options(shx_solver *solver, const shx_contact_options *options);

@@ -13,7 +13,7 @@ use super::law::coefficient::Coefficient;
 use super::law::contact::Friction;
 use super::law::response::Response;
 use super::nearest::nearest;
-use super::options::{ContactModel, ContactOptions};
+use super::options::{ContactModel, ContactOptions, MAX_CHOSEN_ITERATIONS};
 use super::step_constraint::{ConstraintKind, Give, SAME_SIDE, Standing, StepConstraint};
 use crate::chain::load::MaterialPoint;
 
@@ -33,9 +33,6 @@ const DIVERGED: f64 = 0.1;
 /// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
 /// is ended.
 const PATIENCE: [u32; 3] = [5, 15, 25];
-/// With penalties, limits up to this many iterations are a choice: what springs have not pushed out in this step they do in the
-/// next.
-const CHOSEN: u32 = 10;
 /// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
 /// tolerance; of a bilateral constraint, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
@@ -459,7 +456,9 @@ impl Island {
         // An island with yielding constraints has not converged, whatever its residual.
         self.ending.attempt_converged = good;
         // The host chose to pay for this many iterations.
-        let chosen = options.model.is_soft() && options.max_iterations <= CHOSEN && self.iterations >= options.max_iterations;
+        let chosen = options.model.is_soft()
+            && options.max_iterations <= MAX_CHOSEN_ITERATIONS
+            && self.iterations >= options.max_iterations;
         self.ending.converged = (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No);
         self.done = good || diverged || stuck || self.iterations >= options.max_iterations;
         self.ending.good_enough = self.done && (enough || chosen);
