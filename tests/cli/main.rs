@@ -16,6 +16,7 @@ mod scene_errors;
 mod scene_follicles;
 mod scene_grooms;
 mod scene_render_hair;
+mod scene_targets;
 mod settings;
 mod simulate;
 mod support;
