@@ -2159,9 +2159,9 @@ SHX_API void shx_attachment_destroy(shx_attachment *attachment);
 
 // ---- Haptics ----------------------------------------------------------------------------------------------
 
-// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what
-// touches the tool, and shx_haptic_update solves contact anew with the device's newest pose, at the
-// device's rate.
+// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of the tool's
+// contacts, and shx_haptic_update solves the contact problem of that model for the device's newest pose, at
+// the device's rate.
 #define SHX_HAPTIC_MODE_HAND_OVER 1
 
 // The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last
@@ -2298,7 +2298,8 @@ SHX_API shx_result shx_haptic_state_init(shx_haptic_state *state, size_t size);
 SHX_API shx_result shx_haptic_create(const shx_solver *solver, const shx_haptic_def *def,
     const shx_body_id *bodies, size_t count, shx_haptic **out_haptic);
 
-// Frees a haptic object. Its bodies stay in the solver. Null is allowed.
+// Frees a haptic object. Its bodies stay in the solver, and so does what holds strands to the teeth of its
+// ring combs: call shx_haptic_release_ring_combs first. Null is allowed.
 // Threads: exclusive: no call of either side may be running. The handle must not be used afterwards.
 SHX_API void shx_haptic_destroy(shx_haptic *haptic);
 
@@ -2585,6 +2586,45 @@ SHX_API shx_result shx_ring_comb_after_step(shx_ring_comb *comb, shx_solver *sol
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUSY.
 // Threads: exclusive, for the solver and the comb.
 SHX_API shx_result shx_ring_comb_release(shx_ring_comb *comb, shx_solver *solver);
+
+// Gives the hand a ring comb: one with the teeth of a tool (any but plates), which is at frame now. It keeps
+// its place in the hand: from the next step on it goes with the bodies, catches those of count strands that
+// its teeth run into, and the hand feels what they pull with. Between shx_haptic_before_step and
+// shx_haptic_after_step the haptic object does all that shx_ring_comb_before_step and
+// shx_ring_comb_after_step do. The comb is part of the haptic object, which frees it: there is no
+// shx_ring_comb to keep. Nothing is kept of tool, def and ids. Ids of strands that are removed later are
+// forgotten. def may be null: all defaults. *out_index is the number of combs that it had before.
+// Bodies where the teeth are push the strands off them: give these strands no contact, or let the tool have
+// a body only where it is held. In SHX_HAPTIC_MODE_HAND_OVER the forces of strands on teeth change with each
+// step, not between steps.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED,
+// SHX_ERROR_INVALID_ID (a strand; or a body was removed, or this is another solver), SHX_ERROR_BUSY.
+// Nothing has changed then.
+// Threads: shared for the solver, exclusive for the simulation's side of the haptic object;
+// shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_add_ring_comb(shx_haptic *haptic, const shx_solver *solver,
+    const shx_tool_def *tool, const shx_frame *frame, const shx_ring_comb_def *def, const shx_strand_id *ids,
+    size_t count, size_t *out_index);
+
+// What the last step did to a ring comb in the hand; all zero before the first. Its torque is about the
+// origin of the comb's frame. index comes from shx_haptic_add_ring_comb.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (index), SHX_ERROR_BUSY.
+// Threads: exclusive for the simulation's side of the haptic object; shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_ring_comb_report(const shx_haptic *haptic, size_t index,
+    shx_ring_comb_report *out_report);
+
+// Where a ring comb in the hand is: where the last shx_haptic_before_step has sent it. index comes from
+// shx_haptic_add_ring_comb.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (index), SHX_ERROR_BUSY.
+// Threads: exclusive for the simulation's side of the haptic object; shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_ring_comb_frame(const shx_haptic *haptic, size_t index, shx_frame *out_frame);
+
+// Lets go of all strands on the teeth of the hand's ring combs. They may be caught again in the next step.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (a body was removed, or this is another solver),
+// SHX_ERROR_BUSY.
+// Threads: exclusive for the solver and for the simulation's side of the haptic object; shx_haptic_update
+// may run meanwhile.
+SHX_API shx_result shx_haptic_release_ring_combs(shx_haptic *haptic, shx_solver *solver);
 
 // ---- Snapshots --------------------------------------------------------------------------------------------
 

@@ -30,7 +30,7 @@ const SUBJECTS: [(&str, &[&str]); 37] = [
     ("Constraints", &["constraints"]),
     ("Rigid attachments", &["attachment"]),
     ("Haptics", &["haptic_def", "haptic"]),
-    ("Styling tools", &["styling_tool", "styling", "ring_comb"]),
+    ("Styling tools", &["styling_tool", "styling", "ring_comb", "haptic_ring_comb"]),
     ("Snapshots", &["state"]),
     ("Debug drawing", &["debug_draw"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),

@@ -61,6 +61,7 @@ use superhelix::internals::capi::hair_handle::*;
 use superhelix::internals::capi::hair_type::*;
 use superhelix::internals::capi::haptic::*;
 use superhelix::internals::capi::haptic_def::*;
+use superhelix::internals::capi::haptic_ring_comb::*;
 use superhelix::internals::capi::level_of_detail::*;
 use superhelix::internals::capi::materials::*;
 use superhelix::internals::capi::overlaps::*;

@@ -1492,6 +1492,10 @@ class Functions:
     shx_ring_comb_before_step: Callable[[Pointer, Pointer, Pointer, int, Pointer, float], int]
     shx_ring_comb_after_step: Callable[[Pointer, Pointer, Pointer], int]
     shx_ring_comb_release: Callable[[Pointer, Pointer], int]
+    shx_haptic_add_ring_comb: Callable[[Pointer, Pointer, Pointer, Pointer, Pointer, Pointer, int, Pointer], int]
+    shx_haptic_ring_comb_report: Callable[[Pointer, int, Pointer], int]
+    shx_haptic_ring_comb_frame: Callable[[Pointer, int, Pointer], int]
+    shx_haptic_release_ring_combs: Callable[[Pointer, Pointer], int]
     shx_solver_snapshot: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_snapshot_def_init: Callable[[Pointer, int], int]
     shx_solver_snapshot_with: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
@@ -1878,6 +1882,13 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_ring_comb_after_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_ring_comb_release": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_haptic_add_ring_comb": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
+    "shx_haptic_ring_comb_report": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_haptic_ring_comb_frame": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_haptic_release_ring_combs": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_snapshot": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_snapshot_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_snapshot_with": (

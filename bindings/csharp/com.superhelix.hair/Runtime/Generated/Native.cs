@@ -451,6 +451,18 @@ namespace Superhelix
     internal static extern int shx_ring_comb_release(RingCombHandle comb, SolverHandle solver);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_add_ring_comb(HapticHandle haptic, SolverHandle solver, ToolDef* tool, Frame* frame, RingCombDef* @def, StrandId* ids, UIntPtr count, UIntPtr* out_index);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_ring_comb_report(HapticHandle haptic, UIntPtr index, RingCombReport* out_report);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_ring_comb_frame(HapticHandle haptic, UIntPtr index, Frame* out_frame);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_release_ring_combs(HapticHandle haptic, SolverHandle solver);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_snapshot(SolverHandle solver, void* out_image, UIntPtr capacity, UIntPtr* out_size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
