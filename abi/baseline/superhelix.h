@@ -942,6 +942,76 @@ SHX_API shx_result shx_solver_teleport_roots(shx_solver *solver, const shx_stran
 SHX_API shx_result shx_solver_get_root_frames(const shx_solver *solver, const shx_strand_id *ids,
     size_t count, const shx_output *frames);
 
+// ---- Targets ----------------------------------------------------------------------------------------------
+
+// Curves to which strands are drawn. Fill it with shx_target_def_init, then set curve_count and points. The
+// library reads the arrays during the call only.
+typedef struct shx_target_def {
+  // Set by shx_target_def_init.
+  uint32_t struct_size;
+  // Number of keys of the weight; at least 1 where weights is set. Default 0.
+  uint32_t weight_count;
+  // Number of curves: one per id. Default 0: set it.
+  size_t curve_count;
+  // Points of all curves, curve by curve, root first, m, world: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a
+  // fourth number is ignored). At least two per curve; straight in between.
+  shx_input points;
+  // Number of points of each curve: curve_count numbers that sum to points.count. Null (default): all curves
+  // have equally many.
+  const uint32_t *point_counts;
+  // Arclength of the strand's point that belongs to each point of the curves, m; 0 or above, strictly
+  // ascending along each curve. Parts of a strand before its first and beyond its last are free. Null
+  // (default): in proportion to the curve's length, so that the tip belongs to the last point.
+  const double *arclengths;
+  // Positions of the keys on every strand, from 0 (root) to 1 (tip), strictly ascending; weight_count
+  // numbers. Default null: set it with weights.
+  const double *weight_positions;
+  // Weight at each key, 0 (free) to 1 (on the curve); linear between keys, constant beyond them. Default
+  // null: from 1 at the root to 0 at the tip.
+  const double *weights;
+  // Factor of each strand's weights, 0 to 1: curve_count numbers. Null (default): 1.
+  const double *strand_weights;
+  // Time constant with which a point of weight 0.5 comes to its place, s; above 0. Weight w has the time
+  // constant time_constant * (1 - w) / w. Default 0.1.
+  double time_constant;
+  // Must be 0.
+  uint64_t reserved[4];
+} shx_target_def;
+
+// Fills *def with defaults. size is sizeof(shx_target_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_target_def_init(shx_target_def *def, size_t size);
+
+// Draws count strands to curves: an artist's rig, for example. Call it once per frame before the step, with
+// the curves as they are at the end of that step: the target of a strand moves there from where it is,
+// smoothly like a root (shx_solver_set_root_frames), over the next over_seconds of simulated time. 0: within
+// the next substep. A strand's first target is there at once. A target that is not set again stays where it
+// has arrived. At weight 1 a strand is on its curve within a step, as well as its length and its number of
+// elements permit; at weight 0 it is free, to the bit; in between it is drawn with a time constant, without
+// overshoot, against weight, stiffness and contact. Stable for every weight and step. Roots do not move: set
+// their frames as ever. Frozen strands do not follow. Snapshots contain targets. SHX_INTEGRATOR_REFERENCE
+// refuses to step then.
+// All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_OUT_OF_MEMORY.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_set_targets(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_target_def *def, double over_seconds);
+
+// Lets count strands go: nothing draws them any more. Strands without a target stay as they are. All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_clear_targets(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Writes how far count strands are from their targets to out_distances, which holds count values, m: the root
+// mean square over the length of a strand, where each point counts by its weight. -1 for a strand without a
+// target, or with one that draws no part of it.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: shared.
+SHX_API shx_result shx_solver_target_distances(const shx_solver *solver, const shx_strand_id *ids,
+    size_t count, double *out_distances);
+
 // ---- Curvatures -------------------------------------------------------------------------------------------
 
 // Sets the natural curvatures of a strand: count rows, one per element, rad/m. The strand moves towards them

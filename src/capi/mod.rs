@@ -69,6 +69,7 @@
 //! - `styling_tool.rs`: Styling tools: their bodies, from a few numbers.
 //! - `suggest.rs`: Suggests a number of elements for a strand.
 //! - `summary.rs`: A one-line summary of a solver for the log.
+//! - `targets.rs`: Targets: curves to which strands are drawn, with a weight along their length.
 //! - `thread.rs`: Runs work on a separate thread.
 //! - `types.rs`: Plain data that crosses the border.
 //! - `version.rs`: The library's version and build.
@@ -139,6 +140,7 @@ pub mod styling;
 pub mod styling_tool;
 pub mod suggest;
 mod summary;
+pub mod targets;
 mod thread;
 pub mod types;
 pub mod version;

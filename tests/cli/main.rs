@@ -18,6 +18,7 @@ mod scene_follicles;
 mod scene_grooms;
 mod scene_maps;
 mod scene_render_hair;
+mod scene_targets;
 mod settings;
 mod simulate;
 mod support;

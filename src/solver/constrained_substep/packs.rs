@@ -11,7 +11,8 @@ use crate::math::lane::Precision;
 use crate::memory::recycled;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
-use crate::solver::strand::{Strand, root_after};
+use crate::rod::target::TargetAt;
+use crate::solver::strand::{Strand, drawn_by, root_after};
 use crate::solver::workers::WorkerSet;
 use crate::step::constrained_packs::AnyPack;
 use crate::step::constrained_step::{ConstrainedStep, running};
@@ -81,8 +82,9 @@ impl Packs {
         self.order.clear();
         for (place, (strand, constrained)) in super::ConstrainedSubstep::pairs(scene.strands, constrained).enumerate() {
             if begins(constrained) {
-                strand.begin_root_move(h);
-                let kind = PackKey::of(&strand.model, &strand.state, setting.options.integrator, h);
+                strand.begin_moves(h);
+                let kind =
+                    PackKey::of(&strand.model, &strand.state, drawn_by(&strand.target).is_some(), setting.options.integrator, h);
                 self.order.push((constrained.first_order, kind, strand.last.iterations, place as u32));
             }
         }
@@ -283,5 +285,8 @@ impl Pack for Present<'_> {
     fn root_at(&self, lane: usize, seconds: f64) -> Frame {
         let strand = self.strand(lane);
         root_after(&strand.root_move, &strand.state.root, seconds)
+    }
+    fn target(&self, lane: usize) -> Option<TargetAt<'_>> {
+        drawn_by(&self.strand(lane).target)
     }
 }

@@ -34,6 +34,7 @@ mod state;
 mod strands;
 mod styling;
 mod suggest;
+mod targets;
 mod wisp;
 
 use std::collections::BTreeSet;
@@ -86,6 +87,7 @@ use superhelix::internals::capi::strands::*;
 use superhelix::internals::capi::styling::*;
 use superhelix::internals::capi::styling_tool::*;
 use superhelix::internals::capi::suggest::*;
+use superhelix::internals::capi::targets::*;
 use superhelix::internals::capi::types::*;
 use superhelix::internals::capi::wisp::*;
 
@@ -192,6 +194,7 @@ fn table() -> Vec<Case> {
         state::cases,
         strands::cases,
         roots::cases,
+        targets::cases,
         shape::cases,
         settle::cases,
         restyling::cases,

@@ -20,6 +20,7 @@
 //! - `render_hair.rs`: `render_hair`: strands to be drawn, which follow those of the scene and are written as it runs.
 //! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
 //! - `strands.rs`: `strands`: what each is made from, and how its root moves.
+//! - `targets.rs`: `targets`: curves to which strands are drawn, over time or as the strands start.
 //! - `timeline.rs`: When states are written and which steps lead there.
 //! - `words.rs`: The solver's complaints in the words of a scene.
 //! - `written.rs`: Strands as a scene file.
@@ -42,6 +43,7 @@ pub mod posing;
 pub mod render_hair;
 pub mod rest_arguments;
 mod strands;
+pub mod targets;
 pub mod timeline;
 mod words;
 pub mod written;
@@ -65,6 +67,7 @@ pub use outputs::{Output, Request};
 pub use posed::apply as do_posing;
 use render_hair::SceneRenderHair;
 pub use strands::SceneStrand;
+use targets::SceneTarget;
 pub use words::in_words_of_the_scene;
 
 /// A scene that has been checked.
@@ -84,6 +87,8 @@ pub struct Scene {
     pub colliders: Vec<Collider>,
     /// What holds them.
     pub attachments: Vec<Attachment>,
+    /// What draws them.
+    pub targets: Vec<SceneTarget>,
     /// What strands overlap at the start is allowed.
     pub allow_overlaps: bool,
     /// What to write.
@@ -140,6 +145,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         "strands",
         "colliders",
         "attachments",
+        "targets",
         "hair_contact",
         "contact",
         "groups",
@@ -179,6 +185,8 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     let colliders = scene.or("colliders", Vec::new(), |list| colliders::read(list, &motions, &groups, directory))?;
     touching.give(&mut strands, given, &colliders)?;
     let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands, &motions))?;
+    let targets = scene.or("targets", Vec::new(), |list| targets::read(list, &strands, directory))?;
+    targets.iter().for_each(|target| target.place(&mut strands));
     let (outputs, samples) = outputs::read(&scene)?;
     let posing = scene.or("posing", Vec::new(), posing::read)?;
     let wanted = scene.get_unless_null("render_hair");
@@ -190,6 +198,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         strands,
         colliders,
         attachments,
+        targets,
         allow_overlaps: touching.allow_overlaps,
         outputs,
         samples,

@@ -133,6 +133,18 @@ namespace Superhelix
     internal static extern int shx_solver_get_root_frames(SolverHandle solver, StrandId* ids, UIntPtr count, RawView* frames);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_target_def_init(TargetDefRaw* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_set_targets(SolverHandle solver, StrandId* ids, UIntPtr count, TargetDefRaw* @def, double over_seconds);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_clear_targets(SolverHandle solver, StrandId* ids, UIntPtr count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_target_distances(SolverHandle solver, StrandId* ids, UIntPtr count, double* out_distances);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_set_natural_curvatures(SolverHandle solver, StrandId id, double* curvatures, UIntPtr count);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -247,6 +247,25 @@ namespace Superhelix
     internal ulong reserved_3;
   }
 
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct TargetDefRaw
+  {
+    internal uint StructSize;
+    internal uint WeightCount;
+    internal UIntPtr CurveCount;
+    internal RawView Points;
+    internal IntPtr PointCounts;
+    internal IntPtr Arclengths;
+    internal IntPtr WeightPositions;
+    internal IntPtr Weights;
+    internal IntPtr StrandWeights;
+    internal double TimeConstant;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
   /// <summary>Options of shx_solver_settle. Fill it with shx_settle_def_init, then change what you need.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public struct SettleDef
