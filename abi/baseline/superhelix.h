@@ -1449,9 +1449,9 @@ typedef struct shx_sample_def {
   // What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The
   // three axes must be at right angles and of one length, that of your unit: a rotation with a scale, or a
   // reflection with a scale for left-handed hosts. Positions become origin-relative positions times these
-  // axes, plus translation; velocities the same without translation; radii are scaled; frames turn along.
-  // Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0).
-  // Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+  // axes, plus translation; velocities the same without translation; radii are scaled; frames turn along and
+  // tangents stay of unit length. Reflected frames keep n0 and n1 and reverse n2, since quaternions are
+  // rotations. Default (1, 0, 0). Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
   double x_axis[3];
   // The same of the y axis. Default (0, 1, 0).
   double y_axis[3];
@@ -1469,7 +1469,8 @@ SHX_API shx_result shx_sample_def_init(shx_sample_def *def, size_t size);
 // Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 is the root,
 // the last is the tip) of strand ids[i]. One call per frame suffices for everything you draw.
 // points: SHX_FORMAT_F32X3, _F32X4 (with the radius of the strand), _F64X3, _F64X4.
-// frames: SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone.
+// frames: SHX_FORMAT_FRAME; _F32X4 and _F64X4 for the quaternions alone; _F32X3 and _F64X3 for n0 alone, the
+// unit tangent towards the tip.
 // velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3.
 // One or two of the three may be null. If no output holds doubles, the library computes in single precision
 // within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Calls for more
@@ -4236,7 +4237,7 @@ SHX_API shx_result shx_solver_set_render_pose(const shx_solver *solver, const sh
 // is the tip) of strand view.first_strand + i. view may be null: all strands, no origin.
 // points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius.
 // frames: SHX_FORMAT_F32X4, quaternions x, y, z, w of frames with n0 along the strand and n1 near that of its
-// first guide, parallel-transported from the follicle.
+// first guide, parallel-transported from the follicle; or SHX_FORMAT_F32X3 for n0 alone, the unit tangent.
 // velocities, m/s: SHX_FORMAT_F32X3.
 // One or two of the three may be null. The arithmetic is single precision relative to the guides' roots.
 // Results are identical to the bit for any number of threads and any partition into calls. It runs on the

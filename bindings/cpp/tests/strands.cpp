@@ -217,6 +217,12 @@ TEST(sampling_fills_the_hosts_vertices) {
   GET(hair.step(0.01));
   GET(hair.sample_strands(ids, def, output::of(vertices, &interleaved::position), {}, output::of(vertices, &interleaved::velocity)));
   GET(hair.sample_strands(ids, def, packed, frames));
+  std::vector<vec3> tangents(3 * 5);
+  GET(hair.sample_strands(ids, def, {}, tangents));
+  for (std::size_t i = 0; i < tangents.size(); i++) {
+    const double *turn = frames[i].rotation;
+    NEAR(tangents[i][2], 2.0 * (turn[0] * turn[2] - turn[3] * turn[1]), 1e-12);
+  }
   for (std::size_t i = 0; i < packed.size(); i++) {
     for (std::size_t k = 0; k < 3; k++)
       NEAR(static_cast<double>(vertices[i].position[k]), packed[i][k], 1e-6);

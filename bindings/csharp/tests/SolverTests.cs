@@ -310,6 +310,13 @@ namespace Superhelix.Tests
           Check.That(vertices[i].Mark == 7 && frames[i].Origin.Z == packed[i].Z, "left alone");
         }
         Check.That(vertices[14].Velocity.X > 0, "velocities");
+        Vec3[] tangents = new Vec3[15];
+        hair.SampleStrands(ids, def, default(Items), tangents);
+        for (int i = 0; i < 15; i++)
+        {
+          Quat turn = frames[i].Rotation;
+          Check.Near(tangents[i].Z, 2 * (turn.X * turn.Z - turn.W * turn.Y), 1e-12, "tangents");
+        }
         Vec3[] ends = new Vec3[2];
         hair.SampleAt(ids[1], new[] { 0.0, 0.2 }, ends);
         Check.That(Check.Distance(ends[0], packed[5]) < 1e-12 && Check.Distance(ends[1], packed[9]) < 1e-12, "ends");

@@ -743,8 +743,8 @@ struct sample_def : shx_sample_def {
   // What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The three axes must be at right
   // angles and of one length, that of your unit: a rotation with a scale, or a reflection with a scale for left-handed hosts. Positions
   // become origin-relative positions times these axes, plus translation; velocities the same without translation; radii are scaled; frames
-  // turn along. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0). Centimetres with y up,
-  // from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+  // turn along and tangents stay of unit length. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default
+  // (1, 0, 0). Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
   sample_def &with_x_axis(const vec3 &value) {
     detail::copy(value, x_axis);
     return *this;

@@ -257,7 +257,7 @@ namespace Superhelix
 
     /// <summary>
     /// Samples strands uniformly: item i * PointsPerStrand + j of each output is point j of strand ids[i]. One call a frame for everything. Outputs that
-    /// are not wanted are left out.
+    /// are not wanted are left out. frames: whole ones, quaternions in four numbers, or unit tangents in three.
     /// </summary>
     public void SampleStrands(In<StrandId> ids, SampleDef def, Items points, Items frames = default(Items), Items velocities = default(Items))
     {
