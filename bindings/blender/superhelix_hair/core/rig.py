@@ -94,9 +94,7 @@ class Rig:
         if len(self.skipped):
             points = points[np.isin(np.repeat(np.arange(len(counts)), counts), self.indices)]
             counts = counts[self.indices]
-        self.solver.set_targets(
-            points, self.strands, point_counts=counts, weights=self._weights, time_constant=self._follow_time, over_seconds=over_seconds
-        )
+        self.solver.set_targets(points, self.strands, point_counts=counts, weights=self._weights, time_constant=self._follow_time, over_seconds=over_seconds)
 
     def _place_points(self) -> None:
         """Where on its strand each drawn point is, and the points of curves that are not simulated in the axes of what carries them."""
