@@ -41,6 +41,11 @@ ARRAYS: dict[str, dict[str, dict[str, str]]] = {
     "shx_scalp_def": {"triangle_count": {"triangles": "triangle", "uvs": "double6"}},
     "shx_distance_grid_def": {"triangle_count": {"triangles": "triangle"}},
     "shx_push_out_def": {"curve_count": {"point_counts": "uint32_t"}},
+    "shx_target_def": {
+        "curve_count": {"point_counts": "uint32_t", "strand_weights": "double"},
+        "points.count": {"arclengths": "double"},
+        "weight_count": {"weight_positions": "double", "weights": "double"},
+    },
     "shx_render_guides": {"guide_count": {"point_counts": "uint32_t"}},
     "shx_restore_def": {"shapes_size": {"shapes": "uint8_t"}},
 }

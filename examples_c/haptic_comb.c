@@ -1,19 +1,21 @@
 /* A hand combs a groom through a haptic device, in real time:
 
-     haptic_comb GROOM BUST.obj OUT_DIRECTORY [SECONDS [METRES_PER_UNIT]]
+     haptic_comb [--rings] GROOM BUST.obj OUT_DIRECTORY [SECONDS [METRES_PER_UNIT]]
 
-   GROOM is .hair, .tfx or .obj, y up; BUST the head that it grows on. The device's thread runs at 1 kHz, the simulation at 120 Hz beside
+   The teeth are bodies that hair slides along; with --rings they hold the hair that they run into until it is combed. GROOM is .hair, .tfx or .obj, y up; BUST the head that it grows on. The device's thread runs at 1 kHz, the simulation at 120 Hz beside
    it; neither waits for the other. Hand and device are simulated here: a mass that a spring and a damper pull along the strokes of a comb
    down the back of the head, and that feels the force as a hand would. OUT_DIRECTORY, which exists, gets force.csv, a line per
    millisecond, and hair.N.obj, the hair at four moments of the first stroke. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <pthread.h>
+#include <string.h>
 #include <time.h>
 #include "check.h"
 #include "mesh.h"
 
 enum { TEETH = 7, RATE = 1000, FRAMES = 120, ELEMENTS = 8, MOMENTS = 4 };
+static const double SPACING = 0.006, LENGTH = 0.04;                 /* m: between teeth, and of a tooth */
 static const double PI = 3.14159265358979323846;
 static const double STROKE = 3.0;                                   /* s, down and back up */
 static const double MOMENT[MOMENTS] = {0.02, 0.8, 1.4, 2.0};        /* s: when the hair is written to a file */
@@ -221,24 +223,61 @@ static void write_hair(const shx_solver *solver, const shx_strand_id *ids, size_
   free(counts);
 }
 
-/* Seven teeth 2 mm thick and 6 mm apart, which point at the head from behind, z, from the comb's own frame on. */
-static void add_comb(shx_solver *solver, shx_body_id ids[TEETH]) {
+/* Seven teeth 2 mm thick and 6 mm apart, which point at the head from behind, z, from the comb's own frame on. Gives how many bodies there are. */
+static size_t add_comb(shx_solver *solver, shx_body_id ids[TEETH]) {
   shx_body_def teeth[TEETH];
   for (int i = 0; i < TEETH; i++) {
     CHECK(shx_body_def_init(&teeth[i], sizeof teeth[i]));
     teeth[i].shape = SHX_SHAPE_CAPSULE;
     teeth[i].radius = 0.001;
-    teeth[i].a[0] = teeth[i].b[0] = 0.006 * (i - TEETH / 2);
-    teeth[i].a[2] = -0.04;
+    teeth[i].a[0] = teeth[i].b[0] = SPACING * (i - TEETH / 2);
+    teeth[i].a[2] = -LENGTH;
     stroke(0.0, teeth[i].pose.origin);
   }
   CHECK(shx_solver_add_bodies(solver, teeth, sizeof teeth[0], TEETH, ids));
+  return TEETH;
+}
+
+/* The back of the same comb, for teeth that hold hair: bodies there would push it off them. */
+static size_t add_back(shx_solver *solver, shx_body_id *id) {
+  shx_body_def back;
+  CHECK(shx_body_def_init(&back, sizeof back));
+  back.shape = SHX_SHAPE_CAPSULE;
+  back.radius = 0.003;
+  back.b[0] = SPACING * (TEETH / 2);
+  back.a[0] = -back.b[0];
+  back.a[2] = back.b[2] = -LENGTH;
+  stroke(0.0, back.pose.origin);
+  CHECK(shx_solver_add_bodies(solver, &back, sizeof back, 1, id));
+  return 1;
+}
+
+/* Teeth that hold the hair that they run into. */
+static size_t add_rings(shx_haptic *haptic, const shx_solver *solver, const shx_strand_id *ids, size_t count) {
+  shx_tool_def teeth;
+  shx_ring_comb_def rings;
+  size_t index;
+  CHECK(shx_tool_def_init(&teeth, sizeof teeth));
+  CHECK(shx_ring_comb_def_init(&rings, sizeof rings));
+  teeth.kind = SHX_TOOL_COMB;
+  teeth.tooth_count = TEETH;
+  teeth.spacing = SPACING;
+  teeth.length = LENGTH;
+  teeth.radius = 0.001;
+  shx_frame frame = {{0}, {0.0, 0.0, 0.0, 1.0}};
+  stroke(0.0, frame.origin);
+  frame.origin[2] -= LENGTH;
+  CHECK(shx_haptic_add_ring_comb(haptic, solver, &teeth, &frame, &rings, ids, count, &index));
+  return index;
 }
 
 int main(int argc, char **argv) {
+  const int rings = argc > 1 && strcmp(argv[1], "--rings") == 0;
+  argc -= rings;
+  argv += rings;
   const double seconds = argc > 4 ? atof(argv[4]) : 6.0, scale = argc > 5 ? atof(argv[5]) : 0.01;
   if (argc < 4 || !(seconds > 0.0) || !(scale > 0.0)) {
-    fprintf(stderr, "usage: haptic_comb GROOM BUST.obj OUT_DIRECTORY [SECONDS [METRES_PER_UNIT]]\n");
+    fprintf(stderr, "usage: haptic_comb [--rings] GROOM BUST.obj OUT_DIRECTORY [SECONDS [METRES_PER_UNIT]]\n");
     return 2;
   }
   shx_solver_def hair;
@@ -250,13 +289,14 @@ int main(int argc, char **argv) {
   shx_strand_id *ids;
   const size_t count = add_hair(solver, argv[1], scale, read_head(solver, argv[2], scale), &ids);
   shx_body_id comb[TEETH];
-  add_comb(solver, comb);
+  const size_t bodies = rings ? add_back(solver, comb) : add_comb(solver, comb);
 
   shared all = {0};
   shx_haptic_def def;
   CHECK(shx_haptic_def_init(&def, sizeof def));
   def.max_force = 3.0; /* what the device can hold */
-  CHECK(shx_haptic_create(solver, &def, comb, TEETH, &all.haptic));
+  CHECK(shx_haptic_create(solver, &def, comb, bodies, &all.haptic));
+  const size_t ring_comb = rings ? add_rings(all.haptic, solver, ids, count) : 0;
   CHECK(shx_haptic_state_init(&all.state, sizeof all.state));
   all.seconds = seconds;
   char path[1024];
@@ -280,6 +320,8 @@ int main(int argc, char **argv) {
   CHECK(shx_step_limits_init(&limits, sizeof limits));
   CHECK(shx_step_report_init(&report, sizeof report));
   limits.max_seconds = 0.7 / FRAMES;
+  shx_ring_comb_report teeth;
+  unsigned caught = 0, combed = 0, let_go = 0;
   long late = 0, cut = 0;
   int moment = 0;
   double slowest = 0.0;
@@ -289,6 +331,12 @@ int main(int argc, char **argv) {
     CHECK(shx_haptic_before_step(all.haptic, solver, 1.0 / FRAMES));
     CHECK(shx_solver_step_with_limits(solver, 1.0 / FRAMES, 1, &limits, &report));
     CHECK(shx_haptic_after_step(all.haptic, solver));
+    if (rings) {
+      CHECK(shx_haptic_ring_comb_report(all.haptic, ring_comb, &teeth));
+      caught += teeth.caught;
+      combed += teeth.combed;
+      let_go += teeth.let_go;
+    }
     slowest = fmax(slowest, report.seconds);
     cut += report.unconverged > 0;
     if (moment < MOMENTS && time >= MOMENT[moment])
@@ -305,6 +353,9 @@ int main(int argc, char **argv) {
          (unsigned)all.state.model_count, 1e3 * slowest, cut, late);
   printf("energy: the hand gave %.3g J and received %.3g J, never more than %.3g J beyond what it gave\n", all.state.energy_given,
          all.state.energy_received, all.state.max_energy_excess);
+  if (rings)
+    printf("rings: caught %u wisps, combed %u of them to the tip, let go of %u that pulled too hard\n", caught, combed, let_go);
+  CHECK(shx_haptic_release_ring_combs(all.haptic, solver));
   shx_haptic_destroy(all.haptic);
   shx_solver_destroy(solver);
   free(ids);

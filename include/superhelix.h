@@ -942,6 +942,76 @@ SHX_API shx_result shx_solver_teleport_roots(shx_solver *solver, const shx_stran
 SHX_API shx_result shx_solver_get_root_frames(const shx_solver *solver, const shx_strand_id *ids,
     size_t count, const shx_output *frames);
 
+// ---- Targets ----------------------------------------------------------------------------------------------
+
+// Curves to which strands are drawn. Fill it with shx_target_def_init, then set curve_count and points. The
+// library reads the arrays during the call only.
+typedef struct shx_target_def {
+  // Set by shx_target_def_init.
+  uint32_t struct_size;
+  // Number of keys of the weight; at least 1 where weights is set. Default 0.
+  uint32_t weight_count;
+  // Number of curves: one per id. Default 0: set it.
+  size_t curve_count;
+  // Points of all curves, curve by curve, root first, m, world: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a
+  // fourth number is ignored). At least two per curve; straight in between.
+  shx_input points;
+  // Number of points of each curve: curve_count numbers that sum to points.count. Null (default): all curves
+  // have equally many.
+  const uint32_t *point_counts;
+  // Arclength of the strand's point that belongs to each point of the curves, m; 0 or above, strictly
+  // ascending along each curve. Parts of a strand before its first and beyond its last are free. Null
+  // (default): in proportion to the curve's length, so that the tip belongs to the last point.
+  const double *arclengths;
+  // Positions of the keys on every strand, from 0 (root) to 1 (tip), strictly ascending; weight_count
+  // numbers. Default null: set it with weights.
+  const double *weight_positions;
+  // Weight at each key, 0 (free) to 1 (on the curve); linear between keys, constant beyond them. Default
+  // null: from 1 at the root to 0 at the tip.
+  const double *weights;
+  // Factor of each strand's weights, 0 to 1: curve_count numbers. Null (default): 1.
+  const double *strand_weights;
+  // Time constant with which a point of weight 0.5 comes to its place, s; above 0. Weight w has the time
+  // constant time_constant * (1 - w) / w. Default 0.1.
+  double time_constant;
+  // Must be 0.
+  uint64_t reserved[4];
+} shx_target_def;
+
+// Fills *def with defaults. size is sizeof(shx_target_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_target_def_init(shx_target_def *def, size_t size);
+
+// Draws count strands to curves: an artist's rig, for example. Call it once per frame before the step, with
+// the curves as they are at the end of that step: the target of a strand moves there from where it is,
+// smoothly like a root (shx_solver_set_root_frames), over the next over_seconds of simulated time. 0: within
+// the next substep. A strand's first target is there at once. A target that is not set again stays where it
+// has arrived. At weight 1 a strand is on its curve within a step, as well as its length and its number of
+// elements permit; at weight 0 it is free, to the bit; in between it is drawn with a time constant, without
+// overshoot, against weight, stiffness and contact. Stable for every weight and step. Roots do not move: set
+// their frames as ever. Frozen strands do not follow. Snapshots contain targets. SHX_INTEGRATOR_REFERENCE
+// refuses to step then.
+// All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_OUT_OF_MEMORY.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_set_targets(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_target_def *def, double over_seconds);
+
+// Lets count strands go: nothing draws them any more. Strands without a target stay as they are. All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_clear_targets(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Writes how far count strands are from their targets to out_distances, which holds count values, m: the root
+// mean square over the length of a strand, where each point counts by its weight. -1 for a strand without a
+// target, or with one that draws no part of it.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: shared.
+SHX_API shx_result shx_solver_target_distances(const shx_solver *solver, const shx_strand_id *ids,
+    size_t count, double *out_distances);
+
 // ---- Curvatures -------------------------------------------------------------------------------------------
 
 // Sets the natural curvatures of a strand: count rows, one per element, rad/m. The strand moves towards them
@@ -1379,9 +1449,9 @@ typedef struct shx_sample_def {
   // What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The
   // three axes must be at right angles and of one length, that of your unit: a rotation with a scale, or a
   // reflection with a scale for left-handed hosts. Positions become origin-relative positions times these
-  // axes, plus translation; velocities the same without translation; radii are scaled; frames turn along.
-  // Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0).
-  // Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+  // axes, plus translation; velocities the same without translation; radii are scaled; frames turn along and
+  // tangents stay of unit length. Reflected frames keep n0 and n1 and reverse n2, since quaternions are
+  // rotations. Default (1, 0, 0). Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
   double x_axis[3];
   // The same of the y axis. Default (0, 1, 0).
   double y_axis[3];
@@ -1399,7 +1469,8 @@ SHX_API shx_result shx_sample_def_init(shx_sample_def *def, size_t size);
 // Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 is the root,
 // the last is the tip) of strand ids[i]. One call per frame suffices for everything you draw.
 // points: SHX_FORMAT_F32X3, _F32X4 (with the radius of the strand), _F64X3, _F64X4.
-// frames: SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone.
+// frames: SHX_FORMAT_FRAME; _F32X4 and _F64X4 for the quaternions alone; _F32X3 and _F64X3 for n0 alone, the
+// unit tangent towards the tip.
 // velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3.
 // One or two of the three may be null. If no output holds doubles, the library computes in single precision
 // within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Calls for more
@@ -1725,7 +1796,8 @@ typedef struct shx_contact_options {
 // Threads: any.
 SHX_API shx_result shx_contact_options_init(shx_contact_options *options, size_t size);
 
-// Sets the contact options, from the next step on.
+// Sets the contact options, from the next step on. SHX_CONTACT_COULOMB with max_iterations of 10 or less is
+// accepted with one SHX_LOG_WARN message: there it is a limit that strands run into, and no choice of cost.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range).
 // Threads: exclusive.
 SHX_API shx_result shx_solver_set_contact_options(shx_solver *solver, const shx_contact_options *options);
@@ -2298,7 +2370,8 @@ SHX_API shx_result shx_haptic_state_init(shx_haptic_state *state, size_t size);
 SHX_API shx_result shx_haptic_create(const shx_solver *solver, const shx_haptic_def *def,
     const shx_body_id *bodies, size_t count, shx_haptic **out_haptic);
 
-// Frees a haptic object. Its bodies stay in the solver. Null is allowed.
+// Frees a haptic object. Its bodies stay in the solver, and so does what holds strands to the teeth of its
+// ring combs: call shx_haptic_release_ring_combs first. Null is allowed.
 // Threads: exclusive: no call of either side may be running. The handle must not be used afterwards.
 SHX_API void shx_haptic_destroy(shx_haptic *haptic);
 
@@ -2585,6 +2658,45 @@ SHX_API shx_result shx_ring_comb_after_step(shx_ring_comb *comb, shx_solver *sol
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUSY.
 // Threads: exclusive, for the solver and the comb.
 SHX_API shx_result shx_ring_comb_release(shx_ring_comb *comb, shx_solver *solver);
+
+// Gives the hand a ring comb: one with the teeth of a tool (any but plates), which is at frame now. It keeps
+// its place in the hand: from the next step on it goes with the bodies, catches those of count strands that
+// its teeth run into, and the hand feels what they pull with. Between shx_haptic_before_step and
+// shx_haptic_after_step the haptic object does all that shx_ring_comb_before_step and
+// shx_ring_comb_after_step do. The comb is part of the haptic object, which frees it: there is no
+// shx_ring_comb to keep. Nothing is kept of tool, def and ids. Ids of strands that are removed later are
+// forgotten. def may be null: all defaults. *out_index is the number of combs that it had before.
+// Bodies where the teeth are push the strands off them: give these strands no contact, or let the tool have
+// a body only where it is held. In SHX_HAPTIC_MODE_HAND_OVER the forces of strands on teeth change with each
+// step, not between steps.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED,
+// SHX_ERROR_INVALID_ID (a strand; or a body was removed, or this is another solver), SHX_ERROR_BUSY.
+// Nothing has changed then.
+// Threads: shared for the solver, exclusive for the simulation's side of the haptic object;
+// shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_add_ring_comb(shx_haptic *haptic, const shx_solver *solver,
+    const shx_tool_def *tool, const shx_frame *frame, const shx_ring_comb_def *def, const shx_strand_id *ids,
+    size_t count, size_t *out_index);
+
+// What the last step did to a ring comb in the hand; all zero before the first. Its torque is about the
+// origin of the comb's frame. index comes from shx_haptic_add_ring_comb.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (index), SHX_ERROR_BUSY.
+// Threads: exclusive for the simulation's side of the haptic object; shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_ring_comb_report(const shx_haptic *haptic, size_t index,
+    shx_ring_comb_report *out_report);
+
+// Where a ring comb in the hand is: where the last shx_haptic_before_step has sent it. index comes from
+// shx_haptic_add_ring_comb.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (index), SHX_ERROR_BUSY.
+// Threads: exclusive for the simulation's side of the haptic object; shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_ring_comb_frame(const shx_haptic *haptic, size_t index, shx_frame *out_frame);
+
+// Lets go of all strands on the teeth of the hand's ring combs. They may be caught again in the next step.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (a body was removed, or this is another solver),
+// SHX_ERROR_BUSY.
+// Threads: exclusive for the solver and for the simulation's side of the haptic object; shx_haptic_update
+// may run meanwhile.
+SHX_API shx_result shx_haptic_release_ring_combs(shx_haptic *haptic, shx_solver *solver);
 
 // ---- Snapshots --------------------------------------------------------------------------------------------
 
@@ -4126,7 +4238,7 @@ SHX_API shx_result shx_solver_set_render_pose(const shx_solver *solver, const sh
 // is the tip) of strand view.first_strand + i. view may be null: all strands, no origin.
 // points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius.
 // frames: SHX_FORMAT_F32X4, quaternions x, y, z, w of frames with n0 along the strand and n1 near that of its
-// first guide, parallel-transported from the follicle.
+// first guide, parallel-transported from the follicle; or SHX_FORMAT_F32X3 for n0 alone, the unit tangent.
 // velocities, m/s: SHX_FORMAT_F32X3.
 // One or two of the three may be null. The arithmetic is single precision relative to the guides' roots.
 // Results are identical to the bit for any number of threads and any partition into calls. It runs on the

@@ -1,4 +1,4 @@
-/* What the examples do about errors: print the text, stop. A real host would go on without its hair. */
+/* Error handling of the examples: print the text, stop. A real host would continue without its hair. */
 #ifndef CHECK_H
 #define CHECK_H
 #include <stdio.h>

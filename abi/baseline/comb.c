@@ -30,7 +30,7 @@ int main(void) {
   }
   CHECK(shx_solver_add_strands(solver, defs, sizeof defs[0], STRANDS, strands));
 
-  /* Strands touch nothing until they are told to. Their first centimetre stands in the skin. */
+  /* Strands have no contact until it is set. Their first centimetre is in the skin. */
   shx_strand_contact contact;
   CHECK(shx_strand_contact_init(&contact, sizeof contact));
   contact.exempt_length = 0.01;

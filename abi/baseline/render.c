@@ -28,7 +28,7 @@ static void set_head(double turn) {
   }
 }
 
-/* Roots on the scalp as it is now. */
+/* Roots on the current scalp. */
 static void follow(const shx_scalp *scalp, const shx_follicle *places, size_t count, shx_frame *roots) {
   CHECK(shx_scalp_root_frames(scalp, IN(vertices, VERTICES, SHX_FORMAT_F64X3), places, count, OUT(roots, count, SHX_FORMAT_FRAME)));
 }

@@ -1,7 +1,7 @@
 //! The cost of contact: a thousand guides on Sintel's bust, shaken, hair against hair and bust, with each model. Also each
 //! model's error for its cost (`price.rs`), and the cost per contact as contacts grow in number (`scaling.rs`).
 //!
-//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--walk-only]
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--walk-only [--scale X] [--case K]]
 //! [--jumps-only [--random N]]`
 
 mod jumps;
@@ -206,7 +206,10 @@ fn main() -> Outcome<()> {
         let scaling = scaling::table(&head, quick)?;
         return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_scaling.csv"), scaling))?);
     }
-    let walk = || walk::table(&head, (&vertices, &bust.triangles), steps, threads, quick);
+    let scale = option("--scale").map_or(Ok(if quick { 0.02 } else { 1.0 }), |text| text.parse())?;
+    let case = option("--case").map(|text| text.parse()).transpose()?;
+    let run = walk::Run { steps, threads, scale, only: case };
+    let walk = || walk::table(&head, (&vertices, &bust.triangles), &run);
     if arguments.iter().any(|argument| argument == "--walk-only") {
         let table = walk()?;
         return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_walk.csv"), table))?);

@@ -76,24 +76,27 @@ fn carried(motion: &Motion, seconds: f64, middle: &Vector3<f64>) -> Frame {
     Frame { origin: middle + (now.origin - first.origin) - rotation * middle, rotation }
 }
 
+/// What is run.
+pub struct Run {
+    pub steps: usize,
+    pub threads: usize,
+    /// The number of guides as a fraction of the table's.
+    pub scale: f64,
+    /// One case alone, by its place in the table.
+    pub only: Option<usize>,
+}
+
 /// The rows of `walk.csv`, which are also printed.
-pub fn table(
-    head: &Arc<Shape>,
-    bust: (&[Vector3<f64>], &[[u32; 3]]),
-    steps: usize,
-    threads: usize,
-    quick: bool,
-) -> Outcome<String> {
+pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run) -> Outcome<String> {
+    let (steps, threads) = (run.steps, run.threads);
     let motion = Motion::read("tests/data/grooms/walk_figure8_head.csv", None)?;
     let middle = bust.0.iter().sum::<Vector3<f64>>() / bust.0.len() as f64;
     let mut csv = String::from(
         "case,guides,elements,precision,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,penetration_m,unconverged,rolled_back\n",
     );
     print!("{csv}");
-    for mut case in CASES {
-        if quick {
-            case.guides /= 50;
-        }
+    for (_, mut case) in CASES.into_iter().enumerate().filter(|(k, _)| run.only.is_none_or(|only| only == *k)) {
+        case.guides = (case.guides as f64 * run.scale) as usize;
         let defs = guides(&case, bust)?;
         let contact = case.contact.map_or(ContactOptions::default(), |(model, max_iterations)| ContactOptions {
             model,

@@ -80,6 +80,7 @@ NOT_RECORDS = (
     "shx_render_view",
     "shx_distance_grid_def",
     "shx_push_out_def",
+    "shx_target_def",
     "shx_hair_strands_def",
     "shx_snapshot_def",
     "shx_restore_def",

@@ -392,6 +392,17 @@ pub(crate) const PLACE_FORMATS: &[u32] =
 /// Formats of frames: whole, or the quaternion alone.
 pub(crate) const FRAME_FORMATS: &[u32] = &[SHX_FORMAT_FRAME, SHX_FORMAT_F32X4, SHX_FORMAT_F64X4];
 
+/// Formats of frames along strands: whole, the quaternion alone, or the tangent n0 alone.
+pub(crate) const SAMPLED_FRAME_FORMATS: &[u32] =
+    &[SHX_FORMAT_FRAME, SHX_FORMAT_F32X4, SHX_FORMAT_F64X4, SHX_FORMAT_F32X3, SHX_FORMAT_F64X3];
+
+/// The axis n0 of a frame with the quaternion x, y, z, w: of unit length, though that of the quaternion is rounded.
+#[inline(always)]
+pub(crate) fn tangent([x, y, z, w]: [f64; 4]) -> [f64; 3] {
+    let (along, across) = (w * w + x * x, y * y + z * z);
+    [along - across, 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)].map(|number| number / (along + across))
+}
+
 /// A checked strided output with room for everything to be written.
 pub(crate) struct Writer {
     data: *mut u8,
@@ -458,18 +469,20 @@ impl Writer {
         self.numbers(index, &[point[0], point[1], point[2], radius]);
     }
 
-    /// A frame, or its quaternion alone where the format has four numbers.
+    /// A frame; its quaternion alone where the format has four numbers, its tangent alone where it has three.
     pub(crate) fn frame(&self, index: usize, frame: &Frame) {
         self.pose(index, frame.origin.into(), frame.rotation_xyzw());
     }
 
     /// The same for an origin and a quaternion x, y, z, w.
-    pub(crate) fn pose(&self, index: usize, origin: [f64; 3], [i, j, k, w]: [f64; 4]) {
-        if self.format == SHX_FORMAT_FRAME {
-            let [x, y, z] = origin;
-            self.numbers(index, &[x, y, z, i, j, k, w]);
-        } else {
-            self.numbers(index, &[i, j, k, w]);
+    pub(crate) fn pose(&self, index: usize, origin: [f64; 3], rotation: [f64; 4]) {
+        match self.width() {
+            3 => self.numbers(index, &tangent(rotation)),
+            4 => self.numbers(index, &rotation),
+            _ => {
+                let ([x, y, z], [i, j, k, w]) = (origin, rotation);
+                self.numbers(index, &[x, y, z, i, j, k, w]);
+            }
         }
     }
 

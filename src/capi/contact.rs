@@ -5,10 +5,11 @@ use std::mem::{offset_of, size_of};
 use super::buffers::{OutputValue, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
+use super::log::SHX_LOG_WARN;
 use super::solver_def::check_flag;
 use super::types::shx_strand_id;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
-use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+use crate::contact::options::{ContactModel, ContactOptions, Friction, MAX_CHOSEN_ITERATIONS, StrandContact};
 use crate::error::{Error, Result};
 use crate::solver::id::StrandId;
 
@@ -129,7 +130,8 @@ pub unsafe extern "C" fn shx_contact_options_init(options: *mut shx_contact_opti
     unsafe { initialise("shx_contact_options_init", "options", options, size) }
 }
 
-/// Sets the contact options, from the next step on.
+/// Sets the contact options, from the next step on. SHX_CONTACT_COULOMB with max_iterations of 10 or less is
+/// accepted with one SHX_LOG_WARN message: there it is a limit that strands run into, and no choice of cost.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -139,8 +141,21 @@ pub unsafe extern "C" fn shx_solver_set_contact_options(
 ) -> shx_result {
     // SAFETY: the caller's handle and structure, of the size that it states.
     unsafe {
-        write("shx_solver_set_contact_options", solver, |core, _| {
-            core.set_contact_options(&read_versioned("options", options)?.options("options")?)
+        write("shx_solver_set_contact_options", solver, |core, log| {
+            let options = read_versioned("options", options)?.options("options")?;
+            core.set_contact_options(&options)?;
+            if !options.model.is_soft() && options.max_iterations <= MAX_CHOSEN_ITERATIONS {
+                log.message(
+                    SHX_LOG_WARN,
+                    format_args!(
+                        "shx_solver_set_contact_options: options.max_iterations is {}, which with SHX_CONTACT_COULOMB is a limit and \
+                         no choice of cost: strands that have not converged by then yield or are rolled back; a number up to {} is \
+                         chosen for SHX_CONTACT_PENALTY",
+                        options.max_iterations, MAX_CHOSEN_ITERATIONS
+                    ),
+                );
+            }
+            Ok(())
         })
     }
 }

@@ -33,6 +33,15 @@ unsafe fn haptic_from<'a>(haptic: *const shx_haptic) -> Result<&'a shx_haptic> {
     unsafe { haptic.as_ref() }.ok_or_else(|| Error::NullArgument { argument: "haptic".into() })
 }
 
+/// The simulation's side, for one call.
+///
+/// # Safety
+/// `haptic` is null or alive.
+pub(super) unsafe fn with_tool<R>(haptic: *const shx_haptic, body: impl FnOnce(&mut Tool) -> Result<R>) -> Result<R> {
+    // SAFETY: the same.
+    with(unsafe { &haptic_from(haptic)?.tool }, body)
+}
+
 /// Creates a haptic object of count bodies, which move as one rigid tool from their present places. def may
 /// be null: all defaults. The device moves the bodies from the first step after its first update on: do not
 /// move them yourself. You own *out_haptic; free it with shx_haptic_destroy, before or after the solver.
@@ -63,7 +72,8 @@ pub unsafe extern "C" fn shx_haptic_create(
     }
 }
 
-/// Frees a haptic object. Its bodies stay in the solver. Null is allowed.
+/// Frees a haptic object. Its bodies stay in the solver, and so does what holds strands to the teeth of its
+/// ring combs: call shx_haptic_release_ring_combs first. Null is allowed.
 /// Threads: exclusive: no call of either side may be running. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_destroy(haptic: *mut shx_haptic) {
@@ -85,9 +95,7 @@ pub unsafe extern "C" fn shx_haptic_destroy(haptic: *mut shx_haptic) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_before_step(haptic: *mut shx_haptic, solver: *mut shx_solver, dt: f64) -> shx_result {
     // SAFETY: the caller's handles, null or alive.
-    unsafe {
-        write("shx_haptic_before_step", solver, |core, _| with(&haptic_from(haptic)?.tool, |tool| tool.before_step(core, dt)))
-    }
+    unsafe { write("shx_haptic_before_step", solver, |core, _| with_tool(haptic, |tool| tool.before_step(core, dt))) }
 }
 
 /// Call it after the step: hands what touches the tool, and how it yields, over to the device's side. In
@@ -98,7 +106,7 @@ pub unsafe extern "C" fn shx_haptic_before_step(haptic: *mut shx_haptic, solver:
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_after_step(haptic: *mut shx_haptic, solver: *mut shx_solver) -> shx_result {
     // SAFETY: the caller's handles, null or alive.
-    unsafe { write("shx_haptic_after_step", solver, |core, _| with(&haptic_from(haptic)?.tool, |tool| tool.after_step(core))) }
+    unsafe { write("shx_haptic_after_step", solver, |core, _| with_tool(haptic, |tool| tool.after_step(core))) }
 }
 
 /// Gives the device's pose and its velocity (linear, m/s, then angular, rad/s, in world axes), dt seconds

@@ -35,6 +35,7 @@
 //! - `hair_type.rs`: Hair types, sliders, and random variation between the strands of a head.
 //! - `haptic.rs`: Haptic objects: a tool in a hand.
 //! - `haptic_def.rs`: Definitions of haptic objects, and the state after an update.
+//! - `haptic_ring_comb.rs`: Ring combs in the hand: a haptic object leads them, and the hand feels what the strands on their teeth pull with.
 //! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
 //! - `log.rs`: Messages to the host.
 //! - `materials.rs`: Materials of simulated strands.
@@ -68,6 +69,7 @@
 //! - `styling_tool.rs`: Styling tools: their bodies, from a few numbers.
 //! - `suggest.rs`: Suggests a number of elements for a strand.
 //! - `summary.rs`: A one-line summary of a solver for the log.
+//! - `targets.rs`: Targets: curves to which strands are drawn, with a weight along their length.
 //! - `thread.rs`: Runs work on a separate thread.
 //! - `types.rs`: Plain data that crosses the border.
 //! - `version.rs`: The library's version and build.
@@ -104,6 +106,7 @@ pub mod hair_handle;
 pub mod hair_type;
 pub mod haptic;
 pub mod haptic_def;
+pub mod haptic_ring_comb;
 pub mod level_of_detail;
 pub mod log;
 pub mod materials;
@@ -137,6 +140,7 @@ pub mod styling;
 pub mod styling_tool;
 pub mod suggest;
 mod summary;
+pub mod targets;
 mod thread;
 pub mod types;
 pub mod version;

@@ -5,7 +5,7 @@ use std::sync::{Arc, RwLock};
 
 use nalgebra::Vector3;
 
-use super::buffers::{OutputList, OutputValue, PLACE_FORMATS, Reader, Writer, array, strand_ids};
+use super::buffers::{OutputList, OutputValue, PLACE_FORMATS, Reader, Writer, array, strand_ids, tangent};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver};
 use super::output_transform::OutputTransform;
@@ -345,7 +345,7 @@ pub unsafe extern "C" fn shx_solver_set_render_pose(
 /// is the tip) of strand view.first_strand + i. view may be null: all strands, no origin.
 /// points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius.
 /// frames: SHX_FORMAT_F32X4, quaternions x, y, z, w of frames with n0 along the strand and n1 near that of its
-/// first guide, parallel-transported from the follicle.
+/// first guide, parallel-transported from the follicle; or SHX_FORMAT_F32X3 for n0 alone, the unit tangent.
 /// velocities, m/s: SHX_FORMAT_F32X3.
 /// One or two of the three may be null. The arithmetic is single precision relative to the guides' roots.
 /// Results are identical to the bit for any number of threads and any partition into calls. It runs on the
@@ -431,7 +431,7 @@ unsafe fn evaluate<'a>(
             first: def.first_strand,
             per_strand,
             points: Writer::optional("points", points, &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4], needed)?,
-            frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4], needed)?,
+            frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4, SHX_FORMAT_F32X3], needed)?,
             velocities: Writer::optional("velocities", velocities, &[SHX_FORMAT_F32X3], needed)?,
             transform: OutputTransform::new("view", [def.x_axis, def.y_axis, def.z_axis], def.translation)?,
         };
@@ -538,7 +538,12 @@ impl Outputs {
         }
         if let Some(frames) = &self.frames {
             let [x, y, z, w] = strand.rotations;
-            frames.singles(first, count, |k| transform.quaternion([x[k], y[k], z[k], w[k]].map(f64::from)).map(|x| x as f32));
+            let rotation = |k: usize| transform.quaternion([x[k], y[k], z[k], w[k]].map(f64::from));
+            if frames.width() == 3 {
+                frames.singles(first, count, |k| tangent(rotation(k)).map(|x| x as f32));
+            } else {
+                frames.singles(first, count, |k| rotation(k).map(|x| x as f32));
+            }
         }
         if let Some(velocities) = &self.velocities {
             velocities.singles(first, count, |k| transform.vector(mapped(strand.velocities, k)).map(|x| x as f32));
@@ -567,7 +572,11 @@ impl StrandSink for Outputs {
         }
         if let Some(frames) = &self.frames {
             let [x, y, z, w] = strand.rotations.map(|row| &row[..count]);
-            frames.singles(first, count, |k| [x[k], y[k], z[k], w[k]]);
+            if frames.width() == 3 {
+                frames.singles(first, count, |k| tangent([x[k], y[k], z[k], w[k]].map(f64::from)).map(|x| x as f32));
+            } else {
+                frames.singles(first, count, |k| [x[k], y[k], z[k], w[k]]);
+            }
         }
         if let Some(velocities) = &self.velocities {
             let [x, y, z] = strand.velocities.map(|row| &row[..count]);

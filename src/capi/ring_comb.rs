@@ -91,6 +91,28 @@ unsafe fn with<R>(comb: *const shx_ring_comb, body: impl FnOnce(&mut RingComb) -
     body(&mut *comb.comb.try_lock().map_err(in_use)?)
 }
 
+/// A comb with the teeth of a tool.
+///
+/// # Safety
+/// Each pointer is null or points to what it says.
+pub(super) unsafe fn comb_of(
+    tool: *const shx_tool_def,
+    frame: *const shx_frame,
+    def: *const shx_ring_comb_def,
+) -> Result<RingComb> {
+    // SAFETY: the same.
+    let (tool, frame, def) = unsafe {
+        let def = if def.is_null() { shx_ring_comb_def::defaults() } else { read_versioned("def", def)? };
+        (read_versioned("tool", tool)?, frame_from("frame", frame)?, def)
+    };
+    if def.reserved0 != 0 {
+        return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
+    }
+    let options = RingCombOptions { friction: def.friction, max_force: def.max_force, exempt_length: def.exempt_length };
+    let tool = tool.tool().map_err(|error| error.renamed("def", "tool"))?;
+    RingComb::new(&tool, &frame, &options).map_err(|error| error.renamed("options", "def"))
+}
+
 /// Fills *def with defaults. size is sizeof(shx_ring_comb_def).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
 /// Threads: any.
@@ -113,16 +135,7 @@ pub unsafe extern "C" fn shx_ring_comb_create(
 ) -> shx_result {
     call("shx_ring_comb_create", || {
         // SAFETY: the caller's structures, and room for one pointer.
-        let (tool, frame, def, place) = unsafe {
-            let def = if def.is_null() { shx_ring_comb_def::defaults() } else { read_versioned("def", def)? };
-            (read_versioned("tool", tool)?, frame_from("frame", frame)?, def, OutputValue::new("out_comb", out_comb)?)
-        };
-        if def.reserved0 != 0 {
-            return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
-        }
-        let options = RingCombOptions { friction: def.friction, max_force: def.max_force, exempt_length: def.exempt_length };
-        let tool = tool.tool().map_err(|error| error.renamed("def", "tool"))?;
-        let comb = RingComb::new(&tool, &frame, &options).map_err(|error| error.renamed("options", "def"))?;
+        let (comb, place) = unsafe { (comb_of(tool, frame, def)?, OutputValue::new("out_comb", out_comb)?) };
         place.write(Box::into_raw(Box::new(shx_ring_comb { comb: Mutex::new(comb) })));
         Ok(())
     })

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::buffers::{FRAME_FORMATS, POINT_FORMATS, VECTOR_FORMATS, Writer, each};
+use super::buffers::{POINT_FORMATS, SAMPLED_FRAME_FORMATS, VECTOR_FORMATS, Writer, each, tangent};
 use super::output_transform::OutputTransform;
 use super::types::shx_output;
 use crate::error::{Error, Result};
@@ -43,7 +43,7 @@ impl Outputs {
         unsafe {
             Ok(Self {
                 points: Writer::optional("points", points, POINT_FORMATS, needed)?,
-                frames: Writer::optional("frames", frames, FRAME_FORMATS, needed)?,
+                frames: Writer::optional("frames", frames, SAMPLED_FRAME_FORMATS, needed)?,
                 velocities: Writer::optional("velocities", velocities, VECTOR_FORMATS, needed)?,
                 place,
             })
@@ -134,7 +134,10 @@ impl<T: Real> SampleSink<T> for BulkSink<'_> {
                     let [x, y, z, w] = &tile.rotations[k];
                     [x[lane], y[lane], z[lane], w[lane]]
                 };
+                let along = |k: usize| tangent(at(k).map(|x| x.into()));
                 match (frames.is_single(), frames.width()) {
+                    (true, 3) => frames.singles(first, count, |k| along(k).map(|x| x as f32)),
+                    (false, 3) => frames.doubles(first, count, along),
                     (true, _) => frames.singles(first, count, |k| {
                         let [x, y, z, w] = at(k);
                         [x.into() as f32, y.into() as f32, z.into() as f32, w.into() as f32]
@@ -188,6 +191,8 @@ impl BulkSink<'_> {
             }
             if let Some(frames) = &self.outputs.frames {
                 match (frames.is_single(), frames.width()) {
+                    (true, 3) => frames.singles(first, count, |k| tangent(rotation(k)).map(|x| x as f32)),
+                    (false, 3) => frames.doubles(first, count, |k| tangent(rotation(k))),
                     (true, _) => frames.singles(first, count, |k| rotation(k).map(|x| x as f32)),
                     (false, 4) => frames.doubles(first, count, rotation),
                     (false, _) => frames.doubles(first, count, |k| {

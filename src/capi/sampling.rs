@@ -30,9 +30,9 @@ pub struct shx_sample_def {
     /// What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The
     /// three axes must be at right angles and of one length, that of your unit: a rotation with a scale, or a
     /// reflection with a scale for left-handed hosts. Positions become origin-relative positions times these
-    /// axes, plus translation; velocities the same without translation; radii are scaled; frames turn along.
-    /// Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0).
-    /// Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+    /// axes, plus translation; velocities the same without translation; radii are scaled; frames turn along and
+    /// tangents stay of unit length. Reflected frames keep n0 and n1 and reverse n2, since quaternions are
+    /// rotations. Default (1, 0, 0). Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
     pub x_axis: [f64; 3],
     /// The same of the y axis. Default (0, 1, 0).
     pub y_axis: [f64; 3],
@@ -73,7 +73,8 @@ pub unsafe extern "C" fn shx_sample_def_init(def: *mut shx_sample_def, size: usi
 /// Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 is the root,
 /// the last is the tip) of strand ids[i]. One call per frame suffices for everything you draw.
 /// points: SHX_FORMAT_F32X3, _F32X4 (with the radius of the strand), _F64X3, _F64X4.
-/// frames: SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone.
+/// frames: SHX_FORMAT_FRAME; _F32X4 and _F64X4 for the quaternions alone; _F32X3 and _F64X3 for n0 alone, the
+/// unit tangent towards the tip.
 /// velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3.
 /// One or two of the three may be null. If no output holds doubles, the library computes in single precision
 /// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Calls for more

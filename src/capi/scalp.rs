@@ -251,6 +251,9 @@ pub unsafe extern "C" fn shx_scalp_scatter(
         let follicles = OutputList::optional("out_follicles", "capacity", out_follicles, capacity)?;
         let distance = OutputList::optional("out_min_distance", "out_min_distance", out_min_distance, 1)?;
         let amount = match (def.count, def.spacing) {
+            (0, 0.0) => {
+                return Err(Error::invalid("def.count (and def.spacing)", 0, "a number of follicles, or a spacing above 0"));
+            }
             (0, spacing) => Amount::Spacing(spacing),
             (count, 0.0) => Amount::Count(count),
             (_, spacing) => return Err(Error::invalid("def.spacing", spacing, "0 with a count")),

@@ -337,7 +337,7 @@ impl<T: Lane, const D: usize> Meets<T, D> {
         }
     }
 
-    /// The springs of loads: δr = ρ + Sᵀψ + J δκ, S = [x]×; A gains S K Sᵀ, B gains S K.
+    /// The springs of loads: δr = ρ + Sᵀψ + J δκ, S = `[x]×`; A gains S K Sᵀ, B gains S K.
     #[inline(always)]
     pub fn add_springs_of_loads(&mut self, left: &mut Downstream<T>, loads: &[Load<T>], axes: [usize; D]) {
         for load in loads {

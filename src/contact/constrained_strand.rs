@@ -1,6 +1,7 @@
 //! A strand during a step in which contacts or bilateral constraints act on it: its attached material points, and its state of
 //! motion in the island's iteration.
 
+use std::ops::Index;
 use std::sync::{Mutex, PoisonError};
 
 use nalgebra::{Matrix3, Vector3};
@@ -82,6 +83,8 @@ pub struct ConstrainedStrand {
     pub attachments: Vec<Attachment>,
     /// How many of them its linear model includes.
     modelled: usize,
+    /// Whether it iterates apart from other strands: its island has no other.
+    pub is_solitary: bool,
     /// Whether its step is one of implicit Euler, whatever the setting.
     pub first_order: bool,
     /// Whether its step begins again for that reason: until then the strand stays where it is.
@@ -128,6 +131,8 @@ pub struct ConstrainedStrand {
     forces: Vec<Vec3<f64>>,
     bilateral: Vec<Option<WorldConstraint>>,
     bounds: PathBounds,
+    /// The elements that the present search passes over.
+    unmoved: Vec<bool>,
     /// Taken only by the owner of the strand; the lock makes shared references safe.
     scratch: Mutex<strand_body::BodySearchScratch>,
 }
@@ -162,8 +167,9 @@ impl ConstrainedStrand {
         self.body_motions.get(index as usize).map_or(body, |motion| body.with_motion(*motion))
     }
 
-    /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate.
-    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64) {
+    /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate; elements that have moved by no
+    /// more than `unseen` (m) since the last search are passed over.
+    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64, unseen: f64) {
         if !self.collides {
             return;
         }
@@ -171,15 +177,21 @@ impl ConstrainedStrand {
         let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
         self.bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
+        let all = self.step.gone.is_infinite();
+        self.unmoved.clear();
+        self.unmoved.extend(self.step.gone_by_element.iter().map(|gone| !all && *gone <= unseen));
+        let unmoved = &self.unmoved;
         let mut other;
         for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
             if let Some(motion) = self.body_motions.get(index) {
                 other = body.with_motion(*motion);
                 body = &other;
             }
-            strand_body::contacts(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);
+            strand_body::contacts(&path, &self.bounds, Span { exempt, unmoved }, radius, body, within, scratch, &mut self.found);
         }
-        self.root_gap = f64::INFINITY;
+        if self.unmoved.first() != Some(&true) {
+            self.root_gap = f64::INFINITY;
+        }
         let root_gap = &mut self.root_gap;
         self.found.retain(|contact| {
             let at_root = contact.point.element == 0 && contact.point.s == 0.0;
@@ -414,6 +426,23 @@ impl ConstrainedStrand {
     /// Displacement of an attached point in this iteration without forces.
     pub fn unconstrained(&self, point: u32) -> Vector3<f64> {
         self.step.unconstrained[point as usize].into()
+    }
+}
+
+/// Constrained strands by their indices.
+pub trait Strands: Index<usize, Output = ConstrainedStrand> {}
+
+impl<S: Index<usize, Output = ConstrainedStrand> + ?Sized> Strands for S {}
+
+/// The strand of an island that has no other, by whatever index.
+#[derive(Debug)]
+pub struct Solitary<'a>(pub &'a ConstrainedStrand);
+
+impl Index<usize> for Solitary<'_> {
+    type Output = ConstrainedStrand;
+    #[inline(always)]
+    fn index(&self, _: usize) -> &ConstrainedStrand {
+        self.0
     }
 }
 

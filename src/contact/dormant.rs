@@ -4,7 +4,7 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::ConstrainedStrand;
+use super::constrained_strand::Strands;
 use super::island::{Island, is_nearly_outside, is_outside};
 use super::law::Law;
 use super::options::ContactOptions;
@@ -16,7 +16,7 @@ const ASIDE: f64 = 1.0;
 
 impl StepConstraint {
     /// Whether a strand at one of its ends takes part in the iteration.
-    pub(super) fn moves(&self, strands: &[ConstrainedStrand]) -> bool {
+    pub(super) fn moves(&self, strands: &(impl Strands + ?Sized)) -> bool {
         self.ends().any(|end| !strands[end.strand as usize].resting)
     }
 
@@ -33,7 +33,7 @@ impl StepConstraint {
 
 impl Island {
     /// Wakes a dormant contact whose surfaces have met, for the rest of the step.
-    pub(super) fn rouse(&mut self, index: usize, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
+    pub(super) fn rouse(&mut self, index: usize, strands: &(impl Strands + ?Sized), options: &ContactOptions, step: f64) {
         if !self.constraints[index].moves(strands) {
             return;
         }

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::ConstrainedStrand;
+use super::constrained_strand::{ConstrainedStrand, Strands};
 use super::island::{ENOUGH_TURN, FEW, Island, LOOKS};
 use super::options::ContactOptions;
 use super::step_constraint::{Give, Standing, StepConstraint};
@@ -137,7 +137,7 @@ impl Island {
     /// beyond measure. Then all constraints of such strands yield more, from the start of the step, and those of their
     /// neighbours if that is not enough: contradictory constraints, or targets out of a strand's reach, are satisfied as well
     /// as possible. The other constraints stay exact, with friction.
-    pub fn try_again(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) -> Next {
+    pub fn try_again(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, step: f64) -> Next {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
@@ -163,7 +163,7 @@ impl Island {
     }
 
     /// Lets the contacts of diverged strands yield. False if none is new.
-    fn let_some_yield(&mut self, strands: &[ConstrainedStrand], step: f64) -> bool {
+    fn let_some_yield(&mut self, strands: &(impl Strands + ?Sized), step: f64) -> bool {
         let diverged = self.diverged_strands(strands, step);
         let mut some = false;
         for constraint in &mut self.constraints {
@@ -176,7 +176,7 @@ impl Island {
     }
 
     /// Relaxes all constraints of diverged strands; from the second time on, those of their neighbours too.
-    fn relax(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) {
+    fn relax(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, step: f64) {
         let mut diverged = self.diverged_strands(strands, step);
         if self.relaxings > 0 {
             let meets = |constraint: &&StepConstraint| constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok());
@@ -196,7 +196,7 @@ impl Island {
 
     /// The diverged strands, ascending: those with forces beyond measure where there are any, else those too far from
     /// convergence or with constraints that are.
-    fn diverged_strands(&self, strands: &[ConstrainedStrand], step: f64) -> Vec<u32> {
+    fn diverged_strands(&self, strands: &(impl Strands + ?Sized), step: f64) -> Vec<u32> {
         let far = |strand: &&u32| {
             let residual = strands[**strand as usize].residual;
             !self.beyond && (residual > ENOUGH_TURN || residual.is_nan())

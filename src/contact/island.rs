@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
-use super::constrained_strand::{Attachment, ConstrainedStrand};
+use super::constrained_strand::{Attachment, ConstrainedStrand, Strands};
 use super::contact_space::End;
 use super::ending::Ending;
 use super::gauss_seidel::Report;
@@ -13,7 +13,7 @@ use super::law::coefficient::Coefficient;
 use super::law::contact::Friction;
 use super::law::response::Response;
 use super::nearest::nearest;
-use super::options::{ContactModel, ContactOptions};
+use super::options::{ContactModel, ContactOptions, MAX_CHOSEN_ITERATIONS};
 use super::step_constraint::{ConstraintKind, Give, SAME_SIDE, Standing, StepConstraint};
 use crate::chain::load::MaterialPoint;
 
@@ -33,9 +33,6 @@ const DIVERGED: f64 = 0.1;
 /// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
 /// is ended.
 const PATIENCE: [u32; 3] = [5, 15, 25];
-/// With penalties, limits up to this many iterations are a choice: what springs have not pushed out in this step they do in the
-/// next.
-const CHOSEN: u32 = 10;
 /// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
 /// tolerance; of a bilateral constraint, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
@@ -97,6 +94,10 @@ pub struct Island {
     pub sweeps: u32,
     /// Newton iterations so far.
     pub iterations: u32,
+    /// Whether it iterates apart from the others.
+    pub is_solitary: bool,
+    /// Newton iterations until the next search for contacts, at most.
+    pub iterations_left: u32,
     /// It is solved roughly until its contacts are known: [`Island::refine`] goes on to the full tolerance.
     pub rough: bool,
     /// Its iteration has ended.
@@ -178,7 +179,7 @@ impl Island {
     }
 
     /// Finds the points of every constraint in its strands' sorted attachments.
-    pub fn find_ends(&mut self, strands: &[ConstrainedStrand]) {
+    pub fn find_ends(&mut self, strands: &(impl Strands + ?Sized)) {
         self.ends.clear();
         self.ends.resize(self.constraints.len(), [End { strand: 0, point: 0 }; 2]);
         for (local, strand) in self.strands.iter().enumerate() {
@@ -202,13 +203,18 @@ impl Island {
         strand.attachments.iter().map(constraint).any(|constraint| constraint.is_behind(constraint.gap))
     }
 
+    /// Whether surfaces press each other at some contact.
+    pub fn presses(&self) -> bool {
+        self.constraints.iter().any(StepConstraint::presses)
+    }
+
     /// Whether it has contacts.
     pub fn has_contacts(&self) -> bool {
         self.constraints.iter().any(StepConstraint::is_contact)
     }
 
     /// After the first half of an iteration: adds the strands to `pressed` that would run into their partner without forces.
-    pub fn about_to_press(&mut self, strands: &[ConstrainedStrand], pressed: &mut Vec<u32>) {
+    pub fn about_to_press(&mut self, strands: &(impl Strands + ?Sized), pressed: &mut Vec<u32>) {
         self.find_ends(strands);
         for (constraint, [first, second]) in self.constraints.iter().zip(&self.ends) {
             let (ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. }) = constraint.kind else { continue };
@@ -235,7 +241,7 @@ impl Island {
     }
 
     /// Before an iteration: moves rings to where the strands run through them, and updates bodies' surfaces at their contacts.
-    pub fn refresh(&mut self, strands: &[ConstrainedStrand], bodies: &[BodyAt]) {
+    pub fn refresh(&mut self, strands: &(impl Strands + ?Sized), bodies: &[BodyAt]) {
         self.constrained_to_world = false;
         self.may_rest = self.strands.len() > FEW && !self.has_bilateral();
         for constraint in &mut self.constraints {
@@ -275,7 +281,7 @@ impl Island {
     pub(super) fn evaluate(
         &mut self,
         constraint: usize,
-        strands: &[ConstrainedStrand],
+        strands: &(impl Strands + ?Sized),
         options: &ContactOptions,
         step: f64,
     ) -> (Law, Vector3<f64>) {
@@ -318,7 +324,7 @@ impl Island {
 
     /// How far the resting strands at a constraint's ends would be moved by the present forces, in units of an element's
     /// length.
-    fn pushes_resting(&self, index: usize, strands: &[ConstrainedStrand]) -> [f64; 2] {
+    fn pushes_resting(&self, index: usize, strands: &(impl Strands + ?Sized)) -> [f64; 2] {
         let ends = if self.constraints[index].second.is_some() { 2 } else { 1 };
         let mut motions = [0.0; 2];
         for (moved, end) in motions.iter_mut().zip(&self.ends[index][..ends]) {
@@ -340,17 +346,17 @@ impl Island {
     }
 
     /// The force that bends an element of the stiffest strand by about a radian, N.
-    fn bending_force(&self, strands: &[ConstrainedStrand]) -> f64 {
+    fn bending_force(&self, strands: &(impl Strands + ?Sized)) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].bending).fold(0.0, f64::max)
     }
 
     /// The largest [`ConstrainedStrand::usual_force`] of its strands, N.
-    pub(super) fn usual_force(&self, strands: &[ConstrainedStrand], step: f64) -> f64 {
+    pub(super) fn usual_force(&self, strands: &(impl Strands + ?Sized), step: f64) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].usual_force(step)).fold(0.0, f64::max)
     }
 
     /// After the second half: tests for convergence, by the strands' residuals and those of the laws at the new iterate.
-    pub fn check(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, tolerance: f64, step: f64) {
+    pub fn check(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft();
         let enough_for_contacts = match () {
             () if !self.has_contacts() => 0.0,
@@ -450,7 +456,9 @@ impl Island {
         // An island with yielding constraints has not converged, whatever its residual.
         self.ending.attempt_converged = good;
         // The host chose to pay for this many iterations.
-        let chosen = options.model.is_soft() && options.max_iterations <= CHOSEN && self.iterations >= options.max_iterations;
+        let chosen = options.model.is_soft()
+            && options.max_iterations <= MAX_CHOSEN_ITERATIONS
+            && self.iterations >= options.max_iterations;
         self.ending.converged = (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No);
         self.done = good || diverged || stuck || self.iterations >= options.max_iterations;
         self.ending.good_enough = self.done && (enough || chosen);

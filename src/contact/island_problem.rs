@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::ConstrainedStrand;
+use super::constrained_strand::Strands;
 use super::contact_space::{ContactSpace, End, SpaceConstraint};
 use super::gauss_seidel::{GaussSeidel, Scales, Settings};
 use super::island::Island;
@@ -42,7 +42,7 @@ impl Island {
     /// If a number is not finite.
     pub(crate) fn solve<S: Default + Send>(
         &mut self,
-        strands: &[ConstrainedStrand],
+        strands: &(impl Strands + ?Sized),
         options: &ContactOptions,
         step: f64,
         scratch: &mut ProblemScratch,
@@ -129,8 +129,24 @@ impl Island {
         Ok(())
     }
 
+    /// [`Island::solve`]. A number that is not finite ends the island's iteration: its strand is identified at the end.
+    pub(crate) fn solve_or_diverge<S: Default + Send>(
+        &mut self,
+        strands: &(impl Strands + ?Sized),
+        options: &ContactOptions,
+        step: f64,
+        scratch: &mut ProblemScratch,
+        workers: &WorkerSet<S>,
+        meter: &Meter,
+    ) {
+        if self.solve(strands, options, step, scratch, workers, meter).is_err() {
+            (self.done, self.ending.diverged) = (true, self.is_relaxed());
+            self.ending.good_enough = false;
+        }
+    }
+
     /// Selects the constraints of strands that move.
-    fn choose_included(&mut self, strands: &[ConstrainedStrand]) {
+    fn choose_included(&mut self, strands: &(impl Strands + ?Sized)) {
         self.included.clear();
         self.is_included.clear();
         self.strand_is_included.clear();
@@ -150,7 +166,7 @@ impl Island {
 
     /// Sorts them by the subdomains of a large problem, which threads sweep side by side. (Bilateral constraints join strands
     /// to blocks: problems with them are not divided.)
-    fn partition_included(&mut self, strands: &[ConstrainedStrand], partition: &mut Partition) {
+    fn partition_included(&mut self, strands: &(impl Strands + ?Sized), partition: &mut Partition) {
         let may = !self.has_bilateral();
         let Self { included, ends, constraints, .. } = self;
         let roots = self.strands.iter().map(|strand| strands[*strand as usize].step.now().0);

@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::ConstrainedStrand;
+use super::constrained_strand::{ConstrainedStrand, Strands};
 use super::island::Island;
 use super::options::ContactOptions;
 use super::step_constraint::{ConstraintEnd, ConstraintKind};
@@ -35,7 +35,7 @@ pub struct Kink {
 
 impl Island {
     /// After convergence: the strands that have to yield along themselves and cannot.
-    pub fn kinks(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions) -> Vec<Kink> {
+    pub fn kinks(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions) -> Vec<Kink> {
         let mut kinks: Vec<Kink> = Vec::new();
         if self.kinked >= MAX_KINKS {
             return kinks;

@@ -84,6 +84,10 @@ pub struct ContactOptions {
     pub max_sweeps: u32,
 }
 
+/// With penalties, limits up to this many iterations are a choice: what springs have not pushed out in this step they do in the
+/// next.
+pub const MAX_CHOSEN_ITERATIONS: u32 = 10;
+
 impl Default for ContactOptions {
     fn default() -> Self {
         Self {

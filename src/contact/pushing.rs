@@ -4,7 +4,7 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::ConstrainedStrand;
+use super::constrained_strand::Strands;
 use super::island::Island;
 use super::options::ContactOptions;
 use super::step_constraint::{ConstraintEnd, Give, StepConstraint};
@@ -19,7 +19,7 @@ const MAX_PUSHES: u32 = 10;
 const STRENGTH: f64 = 1.0;
 
 impl StepConstraint {
-    fn is_pushed(&self, strands: &[ConstrainedStrand], step: f64) -> bool {
+    fn is_pushed(&self, strands: &(impl Strands + ?Sized), step: f64) -> bool {
         if !(self.give != Give::No || self.deep) || !self.is_contact() || self.force == Vector3::zeros() && self.off <= 0.0 {
             return false;
         }
@@ -30,7 +30,7 @@ impl StepConstraint {
 
 impl Island {
     /// After convergence: pushes the contacts that yield. True if there is more to do.
-    pub(super) fn push_on(&mut self, strands: &[ConstrainedStrand], options: &ContactOptions, step: f64) -> bool {
+    pub(super) fn push_on(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, step: f64) -> bool {
         if self.is_relaxed() || options.model.is_soft() {
             return false;
         }

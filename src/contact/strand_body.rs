@@ -38,9 +38,11 @@ const MARGIN: f64 = 0.3;
 
 /// The part of a strand that takes part in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Span {
+pub struct Span<'a> {
     /// Arclength from the root, m, without contact: the part in and about the follicle.
     pub exempt: f64,
+    /// Elements whose contacts are known, and which are passed over. None beyond the list.
+    pub unmoved: &'a [bool],
 }
 
 /// Boxes of a strand's motion through a step. Made once per iterate, used for all bodies.
@@ -145,6 +147,10 @@ pub fn contacts(
         let low = (span.exempt - from_root).max(0.0);
         from_root += state.length;
         if low >= state.length {
+            continue;
+        }
+        if span.unmoved.get(element) == Some(&true) {
+            (search.inside, search.first) = (None, false);
             continue;
         }
         if body.is_clear_of(&bounds.elements[element], margin, slack) {
@@ -258,7 +264,7 @@ impl Search<'_, '_> {
     /// that no surface is in reach between them and their neighbours.
     fn ask_of_shape(&mut self, ground: &Ground, nodes: &mut [Node], piece: f64) {
         let slope = self.body.shape.distance_slope();
-        let far = ground.reach + slope * piece;
+        let far = self.thickness + self.within + slope * piece;
         let mut last: Option<(f64, f64)> = None;
         for node in nodes {
             let least = last.map_or(f64::NEG_INFINITY, |(s, distance)| distance - slope * (node.s - s));

@@ -12,6 +12,7 @@
 //! - `friction.rs`: Internal friction: (γ + μ EIᵢ)/(2h) (κᵢ − κ_t)² per unit length, with γ as in Bertails et al. 2006, eq. 5d.
 //! - `gravity.rs`: Weight (Bertails et al. 2006, eq. 5a): −ρS g·r.
 //! - `inertia.rs`: Inertia of the centreline (Bertails et al. 2006, eq. 5b): ρS/(2h²) |r − (r_t + h v_t)|².
+//! - `target.rs`: A target: per unit length ½ ρS ω² |r − r*|² draws a point to its place r*.
 
 pub mod drag;
 pub mod elastic;
@@ -19,6 +20,7 @@ pub mod energies;
 pub mod friction;
 pub mod gravity;
 pub mod inertia;
+pub mod target;
 
 pub use energies::Energies;
 

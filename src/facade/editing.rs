@@ -1,4 +1,4 @@
-//! What changes living strands: posing, cutting, growing, clips, heat, rest shapes, level of detail, attachments.
+//! What changes living strands: posing, cutting, growing, clips, heat, rest shapes, level of detail, attachments, targets.
 //!
 //! These are the arguments and results of methods of [`Solver`](crate::Solver).
 //!
@@ -30,6 +30,7 @@ pub use crate::groom::pose::{
 };
 pub use crate::groom::stability::{Stability, Stiffening, stability_under_gravity};
 pub use crate::math::rotation::PoseMove;
+pub use crate::rod::target_def::TargetDef;
 pub use crate::rod::turning::{Coarse, LARGEST_TURN, Shapes, coarse_strands, largest_turn};
 pub use crate::solver::Overlap;
 pub use crate::solver::attachment::Attachment;

@@ -31,6 +31,8 @@ pub use crate::files::hair::HairHeader;
 pub use crate::files::mesh_cache::MeshCache;
 pub use crate::files::motion::{Motion, MotionOptions};
 pub use crate::files::obj_mesh::{ObjMesh, Texture};
+pub use crate::files::point_strands::StrandsBy;
+pub use crate::files::raw_strands::RawStrands;
 pub use crate::files::recorded_curve::{Measured, RecordedCurve};
 pub use crate::files::sequence::{CacheFormat, Existing, Sequence, SequenceWriter};
 pub use crate::files::tfx::TfxVersion;

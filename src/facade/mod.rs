@@ -2,7 +2,7 @@
 //!
 //! Files:
 //!
-//! - `editing.rs`: What changes living strands: posing, cutting, growing, clips, heat, rest shapes, level of detail, attachments.
+//! - `editing.rs`: What changes living strands: posing, cutting, growing, clips, heat, rest shapes, level of detail, attachments, targets.
 //! - `experiments.rs`: Experiments with strands: friction coefficients from a recorded motion, combing force, equilibria that buckle.
 //! - `hair.rs`: From measured and drawn hair to strands: kinds of hair, wisps, fits, scalps.
 //! - `haptic.rs`: Force feedback: a tool in a hand, through a haptic device, in simulated hair.

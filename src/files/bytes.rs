@@ -132,6 +132,13 @@ impl<'a> Section<'a> {
         Ok(items)
     }
 
+    /// All its points as they are: numbers may be infinite or not numbers.
+    pub fn points_as_they_are(&self) -> Result<Vec<[f32; 3]>> {
+        let mut points = list(self.bytes.len() / 12)?;
+        points.extend(self.bytes.chunks_exact(12).map(|point| [0, 4, 8].map(|at| f32_at(point, at))));
+        Ok(points)
+    }
+
     /// [`Section::floats`] with one float per item.
     pub fn singles(&self, what: &str) -> Result<Vec<f32>> {
         // The layouts are the same: the compiler turns this into a copy.

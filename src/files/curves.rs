@@ -4,7 +4,8 @@ use std::path::Path;
 
 use crate::error::{Error, Result, check_positive};
 use crate::files::hair::HairHeader;
-use crate::files::{bytes, hair, obj, strand_data, tfx, usda};
+use crate::files::raw_strands::RawStrands;
+use crate::files::{alembic, bytes, hair, numpy, obj, ply, strand_data, tfx, usda};
 
 /// The origin of a set of curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,10 +27,17 @@ pub enum CurvesFormat {
     Usda,
     /// `.data`: counts and points, nothing more.
     StrandData,
+    /// `.ply`: the points of strands.
+    Ply,
+    /// `.npy` and `.npz` of NumPy: an array of strands by points by three.
+    Numpy,
+    /// Alembic's `.abc` (Ogawa): curves of straight pieces.
+    Alembic,
 }
 
 impl CurvesFormat {
-    /// A short name for messages: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "data", "memory".
+    /// A short name for messages: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "data", "ply",
+    /// "numpy", "alembic", "memory".
     pub fn name(self) -> &'static str {
         match self {
             CurvesFormat::Memory => "memory",
@@ -40,6 +48,9 @@ impl CurvesFormat {
             CurvesFormat::Obj => "obj",
             CurvesFormat::Usda => "usda",
             CurvesFormat::StrandData => "data",
+            CurvesFormat::Ply => "ply",
+            CurvesFormat::Numpy => "numpy",
+            CurvesFormat::Alembic => "alembic",
         }
     }
 
@@ -128,8 +139,9 @@ pub struct Extras {
 }
 
 impl Curves {
-    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines, `.usda` or `.data`. The content decides the
-    /// format, and the extension where the content does not. A `.usda` file with time samples gives the first
+    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines, `.usda`, `.abc`, `.data`, `.ply`, `.npy` or `.npz`. The
+    /// content decides the format, and the extension where the content does not. Strands of a `.ply` file that does not say how
+    /// many points they have are found as by [`RawStrands`]. A `.usda` file with time samples gives the first
     /// ([`CurveCache`](crate::files::curve_cache::CurveCache) reads all of them), and cubic curves become points, four per span.
     ///
     /// # Errors
@@ -152,6 +164,12 @@ impl Curves {
         if bytes.starts_with(&[0x1f, 0x8b]) {
             return Err(Error::file(name, "is compressed (gzip): uncompress it first"));
         }
+        if ply::is_ply(bytes) || numpy::is_npy(bytes) || numpy::is_npz(bytes) {
+            return RawStrands::read_from_bytes(name, bytes, None)?.into_curves(name);
+        }
+        if alembic::is_alembic(bytes) {
+            return alembic::read(name, bytes);
+        }
         if let Some(what) = usda::other_scene_format(bytes) {
             return Err(Error::file(name, what));
         }
@@ -168,7 +186,7 @@ impl Curves {
             _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
             _ => Err(Error::file(
                 name,
-                "is not a known groom format; expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
+                "is not a known groom format; expected .hair, .tfx (version 2, 3 or 4), .obj, .usda, .abc, .data, .ply, .npy or .npz",
             )),
         }
     }

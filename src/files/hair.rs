@@ -64,81 +64,115 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
 /// # Errors
 /// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
-    let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
-    if bytes.len() < HEAD {
-        return error(format_args!("truncated: the header of a .hair file has {HEAD} bytes, and the file has {}", bytes.len()));
-    }
-    if &bytes[..4] != b"HAIR" {
-        return error(format_args!("begins with the bytes {:02x?}; expected the letters HAIR", &bytes[..4]));
-    }
-    let (strands, points, mask, default_segments) = (u32_at(bytes, 4), u32_at(bytes, 8), u32_at(bytes, 12), u32_at(bytes, 16));
-    if strands == 0 {
-        return error(format_args!("the number of strands at byte 4 is 0; expected at least one"));
-    }
-    if mask & !(SEGMENTS | POINTS | THICKNESS | TRANSPARENCY | COLORS) != 0 {
-        return error(format_args!("the mask at byte 12 is {mask:#x}; only bits 0 to 4 have a meaning"));
-    }
-    if mask & POINTS == 0 {
-        return error(format_args!("the mask at byte 12 is {mask:#x}: bit 1 is not set, so the file has no points"));
-    }
-    let header = HairHeader {
-        default_segments,
-        lists_segments: mask & SEGMENTS != 0,
-        thickness: head_float(name, bytes, 20, "default thickness")?,
-        transparency: head_float(name, bytes, 24, "default transparency")?,
-        color: [
-            head_float(name, bytes, 28, "default red")?,
-            head_float(name, bytes, 32, "default green")?,
-            head_float(name, bytes, 36, "default blue")?,
-        ],
-        info: std::array::from_fn(|index| bytes[40 + index]),
-    };
-
-    // Finds all sections, and so the file's length, before anything is allocated.
-    let mut end = HEAD as u64;
-    let mut next = |bit: u32, what: &str, count: u32, width: u64| -> Result<Option<Section<'_>>> {
-        if mask & bit == 0 {
-            return Ok(None);
-        }
-        let section = Section::of(name, bytes, what, end, u64::from(count), width)?;
-        end = section.end() as u64;
-        Ok(Some(section))
-    };
-    let segments = next(SEGMENTS, "numbers of segments", strands, 2)?;
-    let point_section = next(POINTS, "points", points, 12)?;
-    let thickness = next(THICKNESS, "thicknesses", points, 4)?;
-    let transparency = next(TRANSPARENCY, "transparencies", points, 4)?;
-    let colors = next(COLORS, "colours", points, 12)?;
-    if end != bytes.len() as u64 {
-        return error(format_args!("oversized: by its header the file ends at byte {end}, and it has {} bytes", bytes.len()));
-    }
-
-    let counts = counts(name, strands, points, default_segments, segments)?;
-    let Some(point_section) = point_section else { return error(format_args!("has no points")) };
+    let sections = Sections::of(name, bytes, 1)?;
     let extras = Extras {
-        thickness: thickness.map(|section| section.singles("thickness")).transpose()?,
-        transparency: transparency.map(|section| section.singles("transparency")).transpose()?,
-        colors: colors.map(|section| section.floats("colour")).transpose()?,
-        hair_header: Some(header),
+        thickness: sections.thickness.map(|section| section.singles("thickness")).transpose()?,
+        transparency: sections.transparency.map(|section| section.singles("transparency")).transpose()?,
+        colors: sections.colors.map(|section| section.floats("colour")).transpose()?,
+        hair_header: Some(sections.header),
         ..Extras::default()
     };
-    Curves::from_parts(CurvesFormat::Hair, counts, point_section.floats("point")?, extras)
+    Curves::from_parts(CurvesFormat::Hair, sections.counts, sections.points.floats("point")?, extras)
+}
+
+/// Numbers of points, 1 included, and points as they are.
+pub(super) fn as_it_is(name: &str, bytes: &[u8]) -> Result<(Vec<u32>, Vec<[f32; 3]>)> {
+    let sections = Sections::of(name, bytes, 0)?;
+    Ok((sections.counts, sections.points.points_as_they_are()?))
+}
+
+/// What a file is made of.
+struct Sections<'a> {
+    header: HairHeader,
+    counts: Vec<u32>,
+    points: Section<'a>,
+    thickness: Option<Section<'a>>,
+    transparency: Option<Section<'a>>,
+    colors: Option<Section<'a>>,
+}
+
+impl<'a> Sections<'a> {
+    /// Finds all sections, and so the file's length, before anything is allocated. `least` is the least number of segments of a strand.
+    fn of(name: &'a str, bytes: &'a [u8], least: u32) -> Result<Self> {
+        let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
+        if bytes.len() < HEAD {
+            return error(format_args!(
+                "truncated: the header of a .hair file has {HEAD} bytes, and the file has {}",
+                bytes.len()
+            ));
+        }
+        if &bytes[..4] != b"HAIR" {
+            return error(format_args!("begins with the bytes {:02x?}; expected the letters HAIR", &bytes[..4]));
+        }
+        let (strands, points, mask, default_segments) =
+            (u32_at(bytes, 4), u32_at(bytes, 8), u32_at(bytes, 12), u32_at(bytes, 16));
+        if strands == 0 {
+            return error(format_args!("the number of strands at byte 4 is 0; expected at least one"));
+        }
+        if mask & !(SEGMENTS | POINTS | THICKNESS | TRANSPARENCY | COLORS) != 0 {
+            return error(format_args!("the mask at byte 12 is {mask:#x}; only bits 0 to 4 have a meaning"));
+        }
+        if mask & POINTS == 0 {
+            return error(format_args!("the mask at byte 12 is {mask:#x}: bit 1 is not set, so the file has no points"));
+        }
+        let header = HairHeader {
+            default_segments,
+            lists_segments: mask & SEGMENTS != 0,
+            thickness: head_float(name, bytes, 20, "default thickness")?,
+            transparency: head_float(name, bytes, 24, "default transparency")?,
+            color: [
+                head_float(name, bytes, 28, "default red")?,
+                head_float(name, bytes, 32, "default green")?,
+                head_float(name, bytes, 36, "default blue")?,
+            ],
+            info: std::array::from_fn(|index| bytes[40 + index]),
+        };
+
+        let mut end = HEAD as u64;
+        let mut next = |bit: u32, what: &str, count: u32, width: u64| -> Result<Option<Section<'a>>> {
+            if mask & bit == 0 {
+                return Ok(None);
+            }
+            let section = Section::of(name, bytes, what, end, u64::from(count), width)?;
+            end = section.end() as u64;
+            Ok(Some(section))
+        };
+        let segments = next(SEGMENTS, "numbers of segments", strands, 2)?;
+        let point_section = next(POINTS, "points", points, 12)?;
+        let thickness = next(THICKNESS, "thicknesses", points, 4)?;
+        let transparency = next(TRANSPARENCY, "transparencies", points, 4)?;
+        let colors = next(COLORS, "colours", points, 12)?;
+        if end != bytes.len() as u64 {
+            return error(format_args!("oversized: by its header the file ends at byte {end}, and it has {} bytes", bytes.len()));
+        }
+
+        let counts = counts(name, strands, points, default_segments, segments, least)?;
+        let Some(points) = point_section else { return error(format_args!("has no points")) };
+        Ok(Self { header, counts, points, thickness, transparency, colors })
+    }
 }
 
 /// The number of points of each strand; they add up to `points`.
-fn counts(name: &str, strands: u32, points: u32, default_segments: u32, segments: Option<Section<'_>>) -> Result<Vec<u32>> {
+fn counts(
+    name: &str,
+    strands: u32,
+    points: u32,
+    default_segments: u32,
+    segments: Option<Section<'_>>,
+    least: u32,
+) -> Result<Vec<u32>> {
     let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
     let Some(segments) = segments else {
         let total = u64::from(strands) * (u64::from(default_segments) + 1);
-        if default_segments == 0 {
-            return error(format_args!("the default number of segments at byte 16 is 0; expected at least one"));
+        if default_segments < least {
+            return error(format_args!("the default number of segments at byte 16 is {default_segments}; expected at least one"));
         }
         if total != u64::from(points) {
             return error(format_args!(
                 "{strands} strands of {default_segments} segments have {total} points, and the number of points at byte 8 is {points}"
             ));
         }
-        // Each strand has at least two points, found in the file: this list is smaller than the file.
+        // Each strand has at least one point, found in the file: this list is smaller than the file.
         let mut counts = bytes::list(strands as usize)?;
         counts.resize(strands as usize, default_segments + 1);
         return Ok(counts);
@@ -147,9 +181,9 @@ fn counts(name: &str, strands: u32, points: u32, default_segments: u32, segments
     let mut total = 0;
     for (strand, pair) in segments.bytes.chunks_exact(2).enumerate() {
         let number = u32::from(u16::from_le_bytes([pair[0], pair[1]]));
-        if number == 0 {
+        if number < least {
             return error(format_args!(
-                "strand {strand} has 0 segments (at byte {}); expected at least one",
+                "strand {strand} has {number} segments (at byte {}); expected at least one",
                 segments.offset + 2 * strand
             ));
         }

@@ -25,36 +25,59 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
 /// # Errors
 /// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
-    let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
-    let strands = u32_at(Section::of(name, bytes, "number of strands", 0, 1, 4)?.bytes, 0);
-    if strands == 0 {
-        return error(format_args!("the number of strands at byte 0 is 0; expected at least one"));
-    }
-    // Finds all strands, and so the file's length, before anything is allocated: the lists are smaller than the file.
-    let (mut end, mut points) = (4_u64, 0_usize);
-    for strand in 0..strands {
-        let section = strand_at(name, bytes, strand, end)?;
-        points += section.bytes.len() / 12;
-        end = section.end() as u64;
-    }
-    if end != bytes.len() as u64 {
-        return error(format_args!("oversized: {strands} strands end at byte {end}, and the file has {} bytes", bytes.len()));
-    }
-    let (mut counts, mut all) = (bytes::list(strands as usize)?, bytes::list(points)?);
-    end = 4;
-    for strand in 0..strands {
-        let section = strand_at(name, bytes, strand, end)?;
-        counts.push((section.bytes.len() / 12) as u32);
+    let (counts, mut all) = (counts(name, bytes, 2)?, bytes::list(bytes.len() / 12)?);
+    let mut end = 4;
+    for strand in 0..counts.len() {
+        let section = strand_at(name, bytes, strand, end, 2)?;
         all.extend(section.floats::<3>("point")?);
         end = section.end() as u64;
     }
     Curves::from_parts(CurvesFormat::StrandData, counts, all, Extras::default())
 }
 
-/// The points of a strand whose number of points is at byte `at`.
-fn strand_at<'a>(name: &'a str, bytes: &'a [u8], strand: u32, at: u64) -> Result<Section<'a>> {
+/// Numbers of points, 0 and 1 included, and points as they are.
+pub(super) fn as_it_is(name: &str, bytes: &[u8]) -> Result<(Vec<u32>, Vec<[f32; 3]>)> {
+    let (counts, mut all) = (counts(name, bytes, 0)?, bytes::list(bytes.len() / 12)?);
+    let mut end = 4;
+    for strand in 0..counts.len() {
+        let section = strand_at(name, bytes, strand, end, 0)?;
+        all.extend(section.points_as_they_are()?);
+        end = section.end() as u64;
+    }
+    Ok((counts, all))
+}
+
+/// Finds all strands, and so the file's length, before anything is allocated: the list is smaller than the file.
+fn counts(name: &str, bytes: &[u8], least: u32) -> Result<Vec<u32>> {
+    let strands = u32_at(Section::of(name, bytes, "number of strands", 0, 1, 4)?.bytes, 0) as usize;
+    if strands == 0 {
+        return Err(Error::file(name, "the number of strands at byte 0 is 0; expected at least one"));
+    }
+    let mut end = 4;
+    for strand in 0..strands {
+        end = strand_at(name, bytes, strand, end, least)?.end() as u64;
+    }
+    if end != bytes.len() as u64 {
+        let has = bytes.len();
+        return Err(Error::file(
+            name,
+            format_args!("oversized: {strands} strands end at byte {end}, and the file has {has} bytes"),
+        ));
+    }
+    let mut counts = bytes::list(strands)?;
+    end = 4;
+    for strand in 0..strands {
+        let section = strand_at(name, bytes, strand, end, least)?;
+        counts.push((section.bytes.len() / 12) as u32);
+        end = section.end() as u64;
+    }
+    Ok(counts)
+}
+
+/// The points, at least `least`, of a strand whose number of points is at byte `at`.
+fn strand_at<'a>(name: &'a str, bytes: &'a [u8], strand: usize, at: u64, least: u32) -> Result<Section<'a>> {
     let count = u32_at(Section::of(name, bytes, "numbers of points of a strand", at, 1, 4)?.bytes, 0);
-    if count < 2 {
+    if count < least {
         return Err(Error::file(name, format_args!("strand {strand} has {count} points (at byte {at}); expected at least two")));
     }
     Section::of(name, bytes, "points", at + 4, u64::from(count), 12)

@@ -41,10 +41,10 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
 pub(super) fn other_scene_format(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
         [b'P', b'X', b'R', b'-', b'U', b'S', b'D', b'C', ..] => Some(
-            "is a binary USD file: make it text first (python -m superhelix.usd convert groom.usdc groom.usda, or usdcat groom.usdc --out groom.usda)",
+            "is a binary USD file: make it text first (python -m superhelix.usd convert groom.usdc groom.usda), or read it with superhelix.usd in Python (pip install \"superhelix[usd]\")",
         ),
         [b'P', b'K', 3, 4, ..] => Some(
-            "is an archive (.usdz?): make it text first (python -m superhelix.usd convert groom.usdz groom.usda, or usdcat --flatten)",
+            "is an archive (.usdz?): make it text first (python -m superhelix.usd convert groom.usdz groom.usda), or read it with superhelix.usd in Python (pip install \"superhelix[usd]\")",
         ),
         [b'O', b'g', b'a', b'w', b'a', ..] => Some("is an Alembic file: export .usda instead"),
         [0x89, b'H', b'D', b'F', ..] => Some("is an HDF5 file (Alembic's old form?): export .usda instead"),

@@ -310,7 +310,7 @@ fn skeleton(scan: &Scan<'_>) -> Error {
 /// The error that a layer needs more than itself.
 fn arc(scan: &Scan<'_>, what: &str) -> Error {
     scan.error(format_args!(
-        "{what}: other files or variants would add to this one, which is read by itself; flatten it first (usdcat --flatten)"
+        "{what}: other files or variants would add to this one, which is read by itself; make plain curves of it first (python -m superhelix.usd convert), or read it with superhelix.usd in Python (pip install \"superhelix[usd]\")"
     ))
 }
 

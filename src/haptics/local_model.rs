@@ -83,7 +83,7 @@ impl LocalModel {
         of_strands(self.counts.iter().copied()).map(|[contacts, numbers]| (contacts, &self.response[numbers]))
     }
 
-    /// Reads a message from [`Choice::write`]. Allocates nothing.
+    /// Reads a message from [`write()`]. Allocates nothing.
     pub fn read(&mut self, message: &mut Reader) {
         (self.time, self.seconds) = (message.number(), message.number());
         self.handle = read_frame(message);

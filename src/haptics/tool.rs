@@ -123,8 +123,9 @@ impl Tool {
     /// hold many strands.
     ///
     /// # Errors
-    /// [`Error::InvalidId`] naming `strands[i]`.
+    /// [`Error::InvalidId`] naming `strands[i]`, or `bodies[i]` if one was removed, or the solver is another one.
     pub fn add_ring_comb(&mut self, solver: &Solver, comb: RingComb, strands: &[StrandId]) -> Result<usize> {
+        self.check_bodies(solver)?;
         self.combs.push(HeldComb::new(solver, &self.handle[0], comb, strands)?);
         Ok(self.combs.len() - 1)
     }
@@ -137,8 +138,9 @@ impl Tool {
     /// Lets go of all strands on the teeth of ring combs.
     ///
     /// # Errors
-    /// None at present.
+    /// [`Error::InvalidId`] naming `bodies[i]` if one was removed, or the solver is another one.
     pub fn release_ring_combs(&mut self, solver: &mut Solver) -> Result<()> {
+        self.check_bodies(solver)?;
         self.combs.iter_mut().try_for_each(|comb| comb.release(solver))
     }
 

@@ -7,14 +7,18 @@
 //! - `account.rs`: The results of a constrained substep: the outcomes of strands, the list of contacts, the loads of bodies and bilateral constraints.
 //! - `contact_limit.rs`: The largest number of contacts of a strand.
 //! - `formula.rs`: The integration formula of constrained strands.
+//! - `iterations.rs`: Newton iterations of all islands.
 //! - `packs.rs`: Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
+//! - `solitary.rs`: Newton iterations of strands that share no constraint with others: what touches them is bodies, or holds them in place.
 //! - `substeps.rs`: Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they are small.
 //! - `tests.rs`: Substeps in which the limit of searches is reached before all contacts are found.
 
 mod account;
 mod contact_limit;
 mod formula;
+mod iterations;
 mod packs;
+mod solitary;
 mod substeps;
 #[cfg(test)]
 mod tests;
@@ -31,19 +35,17 @@ use super::strand::{Constrained, Strand};
 use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::constrained_strand::{Attachment, ConstrainedStrand};
-use crate::contact::ending::Next;
 use crate::contact::island::Island;
 use crate::contact::options::ContactOptions;
 use crate::contact::step_constraint::StepConstraint;
 use crate::math::disjoint_sets::DisjointSets;
 use crate::math::lanes::InstructionSet;
-use crate::memory::recycled;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::constrained_packs::AnyPack;
-use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
 use packs::{Packs, Pair, Work};
+use solitary::Member;
 
 /// The largest number of searches for undetected contacts.
 const MAX_SEARCHES: u32 = 16;
@@ -59,9 +61,6 @@ const NEAR_END: f64 = 0.03;
 /// Cost of a constraint found by a search, nanoseconds or so.
 const WORK_A_CONSTRAINT: u64 = 3000;
 
-/// Islands with at least this many constraints are solved by all threads together.
-const LARGE: usize = 1000;
-
 /// The solver's memory of constrained strands between substeps.
 #[derive(Debug, Default)]
 pub(super) struct ConstrainedSubstep {
@@ -71,8 +70,9 @@ pub(super) struct ConstrainedSubstep {
     packs: Packs,
     islands: Vec<Island>,
     island_count: usize,
-    /// Memory for lists of islands.
+    /// Memory for lists of islands, and of packs.
     at_work: Vec<&'static mut Island>,
+    solitary_work: Vec<Work<'static, Member<'static>>>,
     /// Islands with strands that may have to begin again by the other formula, and those strands.
     asked: Vec<bool>,
     pressed: Vec<u32>,
@@ -551,101 +551,5 @@ impl ConstrainedSubstep {
         if rough {
             self.islands[..self.island_count].iter_mut().for_each(Island::begin_roughly);
         }
-    }
-
-    /// At most `most` Newton iterations of all islands.
-    fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
-        let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
-        let Self { strands, islands, packs, count, island_count, contact_seconds, at_work, .. } = self;
-        let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
-        for _ in 0..most {
-            let stopped = scene.meter.stopped();
-            if stopped != Stopped::No {
-                islands.iter_mut().for_each(|island| island.stop(stopped));
-                break;
-            }
-            for island in islands.iter_mut().filter(|island| island.done && island.ending.stopped == Stopped::No) {
-                let kinks = island.kinks(strands, options);
-                if !kinks.is_empty() {
-                    for kink in &kinks {
-                        let constrained = &mut strands[kink.strand as usize];
-                        constrained.bend(kink, setting, packs.pack(constrained));
-                    }
-                    island.go_on();
-                    continue;
-                }
-                if island.try_again(strands, options, h) == Next::BeginsAgain {
-                    for constrained in &island.strands {
-                        strands[*constrained as usize].begins_again = true;
-                    }
-                }
-            }
-            if islands.iter().all(|island| island.done) {
-                break;
-            }
-            Self::restart(scene, packs, strands, h);
-            scene.workers.for_each(islands, |island, _| {
-                if !island.done && !meter.is_halted() {
-                    island.refresh(strands, scene.bodies);
-                }
-            });
-            packs.linearise(strands, islands, scene.workers, meter, |constrained| !islands[constrained.island as usize].done);
-            let begins = Instant::now();
-            distribute_work(islands, meter.left());
-            // Large islands one after the other, each by all threads; then the others in parallel, the largest first, as a few
-            // take longer than all the others.
-            let mut to_solve: Vec<&mut Island> = recycled(std::mem::take(at_work));
-            to_solve.extend(islands.iter_mut().filter(|island| !island.done));
-            to_solve.sort_unstable_by_key(|island| std::cmp::Reverse(island.constraints.len()));
-            let large = to_solve.partition_point(|island| island.constraints.len() >= LARGE);
-            let (large, small) = to_solve.split_at_mut(large);
-            let solve = |island: &mut Island, scratch: &mut WorkerScratch, workers: &WorkerSet| {
-                island.find_ends(strands);
-                // A number that is not finite: its strand is identified at the end.
-                if island.solve(strands, options, h, &mut scratch.problem, workers, meter).is_err() {
-                    (island.done, island.ending.diverged) = (true, island.is_relaxed());
-                    island.ending.good_enough = false;
-                }
-            };
-            for island in large {
-                scene.workers.with_own_scratch(|scratch| solve(island, scratch, scene.workers));
-            }
-            let alone = WorkerSet::serial();
-            scene.workers.for_each_task(small, 1, 1, |islands, scratch| {
-                for island in islands {
-                    solve(island, scratch, &alone);
-                }
-            });
-            *at_work = recycled(to_solve);
-            *contact_seconds += begins.elapsed().as_secs_f64();
-            if setting.options.integrator == Integrator::SecondOrder {
-                for island in islands.iter().filter(|island| !island.done && island.iterations < options.max_iterations) {
-                    Self::begin_pressed_again(island, strands);
-                }
-            }
-            packs.advance(strands, islands, setting, scene.workers, meter);
-            if meter.is_halted() {
-                continue;
-            }
-            scene.workers.for_each(islands, |island, _| {
-                if !island.done {
-                    island.check(strands, options, setting.options.tolerance, h);
-                }
-            });
-        }
-        // Here and not at the end of the substep: the next search forms new islands.
-        for island in islands.iter_mut() {
-            contact.iterations = contact.iterations.max(island.iterations);
-            contact.sweeps += u64::from(std::mem::take(&mut island.sweeps));
-        }
-    }
-}
-
-/// Distributes the work that is `left` among the unfinished islands by their numbers of constraints.
-fn distribute_work(islands: &mut [Island], left: u64) {
-    let weight = |island: &Island| (island.constraints.len() + 1) as f64;
-    let all: f64 = islands.iter().filter(|island| !island.done).map(weight).sum();
-    for island in islands.iter_mut().filter(|island| !island.done) {
-        island.max_work = (left as f64 * (weight(island) / all)) as u64;
     }
 }

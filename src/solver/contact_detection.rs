@@ -159,7 +159,7 @@ impl ContactDetection {
             let all = &*scene.strands;
             scene.workers.for_each(strands, |constrained, _| {
                 if constrained.has_gone(unseen) && !scene.meter.is_halted() {
-                    constrained.find_bodies(scene.bodies, NEAR);
+                    constrained.find_bodies(scene.bodies, NEAR, unseen);
                     scene.meter.spend(constrained.path().now.elements.len() as u64 * WORK_AN_ELEMENT);
                     if let Some(permitted_overlap) = all[constrained.index as usize].permitted_overlap.as_deref() {
                         permitted_overlaps::reduce_body_contacts(constrained, permitted_overlap, NEAR);
@@ -175,6 +175,7 @@ impl ContactDetection {
         }
         for constrained in strands.iter_mut().filter(|constrained| constrained.has_gone(unseen)) {
             constrained.step.gone = 0.0;
+            constrained.step.gone_by_element.fill(0.0);
         }
     }
 

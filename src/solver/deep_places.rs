@@ -91,7 +91,16 @@ impl CurrentScene<'_> {
             let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::BodySearchScratch::default());
             bounds.update(&path);
             for body in self.bodies.iter().filter(|body| body.meets(groups, mask)) {
-                strand_body::contacts(&path, &bounds, Span { exempt }, radius, body, NEAR, &mut scratch, &mut curve.deep);
+                strand_body::contacts(
+                    &path,
+                    &bounds,
+                    Span { exempt, unmoved: &[] },
+                    radius,
+                    body,
+                    NEAR,
+                    &mut scratch,
+                    &mut curve.deep,
+                );
             }
         });
         let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);

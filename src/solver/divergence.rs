@@ -12,6 +12,7 @@ use crate::contact::body::BodyAt;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
+use crate::rod::target::TargetMotion;
 use crate::step::StrandOutcome;
 
 /// A strand that has been rolled back for this many seconds without a break is brought back from its shape to its natural one, in
@@ -95,21 +96,24 @@ impl Strand {
         self.divergence.as_deref().is_some_and(|divergence| matches!(divergence.state, DivergenceState::Returning { .. }))
     }
 
-    /// Its root jumps to a pose at once. The caller then sets `bodies`.
+    /// Its root jumps to a pose at once, and its target to the end of its motion. The caller then sets `bodies`.
     pub fn jump_to(&mut self, root: Frame) {
         self.state.teleport(root);
         self.root_move = None;
+        if let Some(target) = &mut self.target {
+            target.motion = TargetMotion::Rests;
+        }
         self.divergence = Some(Box::new(Divergence { bodies: Vec::new(), state: DivergenceState::Carried { seconds: 0.0 } }));
     }
 
     /// Takes it through a substep of `h` seconds with its root, its shape kept, without any other work. `bodies`: those that it
     /// did not meet. Its velocities turn along.
     pub fn go_with_root(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
-        self.begin_root_move(h);
+        self.begin_moves(h);
         let seconds = self.diverged_for() + h;
         self.move_with_root(h, bodies, DivergenceState::Carried { seconds });
         self.drop_unreachable_bodies(seconds);
-        self.advance_root(h);
+        self.advance_moves(h);
         let outcome = StrandOutcome { converged: false, left: true, energies: self.energies, ..StrandOutcome::default() };
         self.last = (&outcome).into();
         outcome
@@ -200,7 +204,7 @@ impl Strand {
 
     /// A substep of `h` seconds of its return: from shape to shape, with its root.
     pub fn step_home(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
-        self.begin_root_move(h);
+        self.begin_moves(h);
         let [from_root, to] = self.root_during(h);
         let outcome = StrandOutcome { converged: false, quarantined: true, energies: self.energies, ..StrandOutcome::default() };
         let Some(Divergence { state: DivergenceState::Returning { seconds, from }, .. }) = self.divergence.as_deref_mut() else {
@@ -216,7 +220,7 @@ impl Strand {
         self.state.teleport(to);
         self.set_rigid_velocities(&from_root, h, rules);
         (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
-        self.advance_root(h);
+        self.advance_moves(h);
         self.last = (&outcome).into();
         if is_back {
             self.divergence = None;

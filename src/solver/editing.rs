@@ -32,7 +32,8 @@ impl Solver {
         Ok(())
     }
 
-    /// Moves roots to `frames` at once: the strands keep their shape and their velocities in the root's axes, without a kick.
+    /// Moves roots to `frames` at once: the strands keep their shape and their velocities in the root's axes, without a kick; their
+    /// targets ([`Solver::set_targets`]) move along.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
@@ -42,6 +43,9 @@ impl Solver {
         for (index, frame) in indices.into_iter().zip(frames) {
             let strand = &mut self.strands[index];
             strand.root_move = None;
+            if let Some(target) = &mut strand.target {
+                target.carry(&strand.state.root, frame);
+            }
             strand.state.teleport(*frame);
             strand.update_energies(self.options.gravity, &self.rules, &mut kinematics);
         }

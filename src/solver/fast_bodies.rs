@@ -66,7 +66,7 @@ impl Solver {
             constraint.motion.begin(h);
         }
         for strand in &mut self.strands {
-            strand.begin_root_move(h);
+            strand.begin_moves(h);
         }
     }
 

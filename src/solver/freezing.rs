@@ -78,13 +78,17 @@ impl Strand {
         let outcome = StrandOutcome { converged: true, energies: self.energies, ..StrandOutcome::default() };
         let zero = Vector3::zeros();
         if self.root_move.is_none() && self.state.root_velocity == zero && self.state.root_angular_velocity == zero {
+            if let Some(target) = &mut self.target {
+                target.begin(h);
+                target.advance(h);
+            }
             return outcome;
         }
-        self.begin_root_move(h);
+        self.begin_moves(h);
         let [from, to] = self.root_during(h);
         self.state.teleport(to);
         self.set_rigid_velocities(&from, h, rules);
-        self.advance_root(h);
+        self.advance_moves(h);
         self.update_energies(gravity, rules, &mut Kinematics::default());
         StrandOutcome { energies: self.energies, ..outcome }
     }

@@ -91,5 +91,6 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         permitted_overlap: permitted_overlap.clone(),
         divergence: None,
         frozen: None,
+        target: None,
     }
 }

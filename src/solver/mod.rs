@@ -41,6 +41,7 @@
 //! - `snapshot.rs`: Snapshots: a solver's state as bytes, little-endian, versioned and checksummed; the same image on every machine.
 //! - `stepping.rs`: Steps all strands through time and reports the results.
 //! - `strand.rs`: One strand of a solver: constants, state, the root's motion, and the result of the last step.
+//! - `targets.rs`: Targets: curves, of a rig for example, to which strands are drawn with a weight along their length.
 //! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
 //! - `trimming.rs`: Cuts simulated strands and lets them grow.
 //! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
@@ -85,6 +86,7 @@ mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
+mod targets;
 mod trial_steps;
 mod trimming;
 mod wind;

@@ -10,6 +10,7 @@ use crate::math::lanes::InstructionSet;
 use crate::math::prefetch::prefetch;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
+use crate::rod::target::TargetAt;
 use crate::step::members::{Pack, PackKey};
 use crate::step::options::Integrator;
 use crate::step::scratch::StepScratch;
@@ -84,7 +85,7 @@ fn take_present(
     }
     let width = packs::width(setting.options.precision, set);
     for strand in strands.iter_mut().filter(|strand| !strand.is_constrained()) {
-        strand.begin_root_move(h);
+        strand.begin_moves(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
         for index in 0..strands.len() {
@@ -105,7 +106,13 @@ fn take_present(
         if strand.state.subdivision.min(levels) > 0 {
             take_one(strands, index, setting, h, tally, scratch);
         } else {
-            let kind = PackKey::of(&strand.model, &strand.state, setting.options.integrator, h);
+            let kind = PackKey::of(
+                &strand.model,
+                &strand.state,
+                strand::drawn_by(&strand.target).is_some(),
+                setting.options.integrator,
+                h,
+            );
             order[count] = (kind, strand.last.iterations, index as u32);
             count += 1;
         }
@@ -194,5 +201,8 @@ impl Pack for Picked<'_> {
     fn root_at(&self, lane: usize, seconds: f64) -> Frame {
         let strand = &self.strands[self.indices[lane]];
         strand::root_after(&strand.root_move, &strand.state.root, seconds)
+    }
+    fn target(&self, lane: usize) -> Option<TargetAt<'_>> {
+        strand::drawn_by(&self.strands[self.indices[lane]].target)
     }
 }

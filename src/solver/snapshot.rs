@@ -15,6 +15,7 @@
 //! - `packed_strands.rs`: Strands as images hold them: what a strand shares with the one before it, or says twice itself, is written once.
 //! - `shapes.rs`: Static shapes, stored once beside any number of snapshots, each under its content's hash.
 //! - `strands.rs`: Parts of strands, and whole ones for hashes.
+//! - `targets.rs`: Targets in a snapshot.
 
 mod bodies;
 mod bytes;
@@ -23,6 +24,7 @@ mod contact;
 mod packed_strands;
 mod shapes;
 mod strands;
+mod targets;
 
 use std::sync::Arc;
 
@@ -49,7 +51,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{FNV_START, Reader, Writer, bad, fnv1a, of_part};
 
 /// Changes whenever an image of an older version can no longer be read.
-pub const SNAPSHOT_VERSION: u32 = 8;
+pub const SNAPSHOT_VERSION: u32 = 9;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -390,7 +392,14 @@ impl Solver {
                 writer.permitted_overlap(strand.permitted_overlap.as_deref());
             }
         }
-        // and one without limits likewise: golden hashes depend on it.
+        // one without targets likewise,
+        for (index, strand) in self.strands.iter().enumerate() {
+            if let Some(target) = &strand.target {
+                writer.u64(index as u64);
+                writer.target(target);
+            }
+        }
+        // and one without limits: golden hashes depend on it.
         if self.options.limits != UsualLimits::default() {
             writer.limits(&self.options.limits);
         }

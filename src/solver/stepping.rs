@@ -10,7 +10,7 @@ use super::constraints::ConstraintStatus;
 use super::id::BodyId;
 use super::report::{Phases, StepReport, Wrench};
 use super::side_by_side::{self, TrialTally};
-use super::strand::{Constrained, Tally};
+use super::strand::{Constrained, Tally, drawn_by};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
@@ -249,6 +249,13 @@ impl Solver {
                 argument: "the solver's integrator".into(),
                 value: "reference".into(),
                 hint: "its error control cannot see a field of wind; take second order or implicit Euler".into(),
+            });
+        }
+        if self.strands.iter().any(|strand| drawn_by(&strand.target).is_some()) {
+            return Err(Error::Unsupported {
+                argument: "the solver's integrator".into(),
+                value: "reference".into(),
+                hint: "its equations of motion have no targets; take second order or implicit Euler".into(),
             });
         }
         let hair = self.options.contact.hair;

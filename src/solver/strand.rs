@@ -21,6 +21,7 @@ use crate::memory::BLOCK;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
+use crate::rod::target::{Target, TargetAt};
 use crate::step::members::One;
 use crate::step::options::Integrator;
 use crate::step::scratch::StepScratch;
@@ -55,6 +56,8 @@ pub(super) struct Strand {
     pub divergence: Option<Box<Divergence>>,
     /// Set for a frozen strand.
     pub frozen: Option<Box<Frozen>>,
+    /// What it is drawn to; `None` for nothing.
+    pub target: Option<Box<Target>>,
 }
 
 /// Whether something constrains a strand in a substep.
@@ -141,6 +144,11 @@ impl Tally {
     }
 }
 
+/// What draws a strand with this target in the next substep.
+pub(super) fn drawn_by(target: &Option<Box<Target>>) -> Option<TargetAt<'_>> {
+    target.as_deref().filter(|target| target.acts()).map(|target| TargetAt { target, from: 0.0 })
+}
+
 /// The root's pose after `elapsed` seconds of its move, or at rest.
 pub(super) fn root_after(root_move: &Option<Box<(PoseMove, f64)>>, rest: &Frame, elapsed: f64) -> Frame {
     match root_move.as_deref() {
@@ -176,6 +184,7 @@ impl Strand {
             permitted_overlap: None,
             divergence: None,
             frozen: None,
+            target: None,
         }
     }
 
@@ -248,8 +257,11 @@ impl Strand {
         }
     }
 
-    /// A move of duration 0 takes the next substep of `h` seconds.
-    pub fn begin_root_move(&mut self, h: f64) {
+    /// Moves of root and target of duration 0 take the next substep of `h` seconds.
+    pub fn begin_moves(&mut self, h: f64) {
+        if let Some(target) = &mut self.target {
+            target.begin(h);
+        }
         if let Some((root_move, _)) = self.root_move.as_deref_mut()
             && root_move.duration == 0.0
         {
@@ -257,8 +269,11 @@ impl Strand {
         }
     }
 
-    /// Advances the root's move by `h` seconds; a move that ended a step ago is deleted, and the root rests.
-    pub fn advance_root(&mut self, h: f64) {
+    /// Advances the moves of root and target by `h` seconds; a move that ended a step ago is deleted, and the root rests.
+    pub fn advance_moves(&mut self, h: f64) {
+        if let Some(target) = &mut self.target {
+            target.advance(h);
+        }
         if let Some((root_move, elapsed)) = self.root_move.as_deref_mut() {
             if *elapsed >= root_move.duration {
                 self.root_move = None;
@@ -273,10 +288,10 @@ impl Strand {
 
     /// Applies `work` to the strand as a single one, with its moving root.
     pub fn with_one<R>(&mut self, work: impl FnOnce(&mut One) -> R) -> R {
-        let Self { model, state, root_move, .. } = self;
+        let Self { model, state, root_move, target, .. } = self;
         let start = state.root;
         let root_at = |elapsed: f64| root_after(root_move, &start, elapsed);
-        work(&mut One { model, state, root_at: &root_at })
+        work(&mut One { model, state, root_at: &root_at, target: drawn_by(target) })
     }
 
     /// Records the result of a substep of `h` seconds with these `bodies`.
@@ -287,7 +302,7 @@ impl Strand {
         } else if self.divergence.is_some() {
             self.clear_divergence();
         }
-        self.advance_root(h);
+        self.advance_moves(h);
         if outcome.quarantined || setting.options.integrator == Integrator::Reference {
             let kinematics = &mut scratch.one.workspace.iterate.kinematics;
             self.update_energies(setting.surroundings.gravity.into(), setting.rules, kinematics);
@@ -339,8 +354,10 @@ impl Strand {
             .permitted_overlap
             .as_ref()
             .map_or(0, |permitted_overlap| size_of::<PermittedOverlap>() + permitted_overlap.heap_bytes());
+        let target = self.target.as_ref().map_or(0, |target| size_of::<Target>() + target.heap_bytes());
         let own = contact
             + permitted_overlap
+            + target
             + authored
             + root_move
             + lists(&self.model.lengths, &self.model.natural)

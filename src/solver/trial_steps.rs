@@ -11,6 +11,7 @@ use crate::contact::path_clearance::{self, FreePath};
 use crate::math::frame::Frame;
 use crate::math::rotation::PoseMove;
 use crate::meter::Meter;
+use crate::rod::target::TargetMotion;
 use crate::step::StrandOutcome;
 use crate::step::state::StrandState;
 
@@ -37,6 +38,8 @@ struct Saved {
     energies: Energies,
     last: SubstepResult,
     root_move: Option<(PoseMove, f64)>,
+    /// How far its target was.
+    target: Option<TargetMotion>,
     /// The root's poses at the start and the end.
     root: [Frame; 2],
 }
@@ -67,6 +70,7 @@ impl TrialSteps {
             saved.state.clone_from(&strand.state);
             (saved.index, saved.energies, saved.last) = (index, strand.energies, strand.last);
             (saved.root, saved.root_move) = (root, strand.root_move.as_deref().cloned());
+            saved.target = strand.target.as_deref().map(|target| target.motion);
             self.count += 1;
         }
     }
@@ -90,6 +94,9 @@ impl TrialSteps {
             std::mem::swap(&mut strand.state, &mut saved.state);
             (strand.energies, strand.last, strand.divergence) = (saved.energies, saved.last, None);
             strand.root_move = saved.root_move.take().map(Box::new);
+            if let (Some(target), Some(motion)) = (&mut strand.target, saved.target) {
+                target.motion = motion;
+            }
             strand.constrained = Constrained::Perhaps;
         }
     }

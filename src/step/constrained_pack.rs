@@ -188,6 +188,7 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
         let axes = pack.freedoms.axes();
         let axes = &axes[..pack.freedoms.count()];
         let Workspace { loaded, iterate, stages, roots, .. } = workspace;
+        loaded.targets.load(members, h, rule, &loaded.units);
         stages::assemble_terms(pack.times.k, pack.offset, &rule.weights, loaded, &stages[0], iterate);
         stages::lead(pack.times.span, pack.freedoms, loaded, None, iterate);
         let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };

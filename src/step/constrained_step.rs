@@ -71,6 +71,8 @@ pub struct ConstrainedStep {
     /// Sum of the iterations' largest displacements of any of its points since it was set to zero, m; infinite at the start of
     /// a step.
     pub gone: f64,
+    /// The same for the points of each element.
+    pub gone_by_element: Vec<f64>,
     /// Estimated distance of an element from convergence under the last forces, rad; infinite for a diverged strand.
     pub residual: f64,
     /// Whether all that would become its state is finite.
@@ -103,6 +105,7 @@ impl Default for ConstrainedStep {
             unconstrained: Vec::new(),
             delassus: Delassus::default(),
             gone: f64::INFINITY,
+            gone_by_element: Vec::new(),
             residual: f64::INFINITY,
             finite: false,
             outcome: StrandOutcome::default(),
@@ -131,6 +134,8 @@ impl ConstrainedStep {
         (self.potential, self.guessed) = (potential, potential);
         self.damping = Damping::new(usual_damping);
         (self.before, self.gone, self.residual) = (None, f64::INFINITY, f64::INFINITY);
+        self.gone_by_element.clear();
+        self.gone_by_element.resize(self.now.len(), 0.0);
         self.outcome = StrandOutcome { converged: false, quarantined: !potential.value.is_finite(), ..StrandOutcome::default() };
         self.material_points.clear();
         self.loads.clear();
@@ -257,7 +262,7 @@ impl ConstrainedStep {
 
     /// Accepts the trial point.
     pub(super) fn accept(&mut self) {
-        self.gone += farthest(&self.now, &self.trial);
+        self.gone += go(&self.now, &self.trial, &mut self.gone_by_element);
         std::mem::swap(&mut self.now, &mut self.trial);
     }
 
@@ -280,11 +285,23 @@ pub fn running<M>(lanes: &mut [Option<M>]) -> impl Iterator<Item = (usize, &mut 
     lanes.iter_mut().enumerate().filter_map(|(lane, member)| Some((lane, member.as_mut()?)))
 }
 
-/// The largest displacement of the elements' ends.
-fn farthest(elements: &[ElementState<f64>], were: &[ElementState<f64>]) -> f64 {
-    let tip = |elements: &[ElementState<f64>]| elements.last().map_or(Vec3::zero(), ElementState::origin_right);
-    let ends = elements.iter().zip(were).map(|(now, then)| (now.origin_left - then.origin_left).norm_squared());
-    ends.fold((tip(elements) - tip(were)).norm_squared(), f64::max).sqrt()
+/// Adds the largest displacement of each element's points: of its ends, and what its change of curvature moves those between.
+/// Returns the largest of all.
+fn go(elements: &[ElementState<f64>], were: &[ElementState<f64>], gone: &mut [f64]) -> f64 {
+    let mut farthest = 0.0_f64;
+    let mut left = 0.0;
+    for (k, (now, then)) in elements.iter().zip(were).enumerate() {
+        let right = match elements.get(k + 1).zip(were.get(k + 1)) {
+            Some((now, then)) => now.origin_left - then.origin_left,
+            None => now.origin_right() - then.origin_right(),
+        };
+        let right = right.norm_squared().sqrt();
+        let bulge = (now.kappa - then.kappa).norm_squared().sqrt() * (0.125 * now.length * now.length);
+        gone[k] += f64::max(left, right) + bulge;
+        farthest = farthest.max(right);
+        left = right;
+    }
+    farthest
 }
 
 fn position(elements: &[ElementState<f64>], material_point: &MaterialPoint) -> Vec3<f64> {

@@ -1,7 +1,7 @@
 //! The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its
 //! second-order terms.
 //!
-//! Elasticity and Kelvin–Voigt friction are implicit; gravity, drag, internal friction γ and velocity products explicit. It takes
+//! Elasticity, Kelvin–Voigt friction and targets are implicit; gravity, drag, internal friction γ and velocity products explicit. It takes
 //! one linear solve: (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
 
 use nalgebra::Vector3;
@@ -12,7 +12,7 @@ use super::members::{self, Pack, Reads};
 use super::workspace::Workspace;
 use super::{StrandOutcome, stages, whole};
 use crate::chain::system::LinearSolve;
-use crate::energy::drag;
+use crate::energy::{drag, target};
 use crate::math::lane::{Lane, Precision};
 use crate::math::vector::Vec3;
 use crate::rod::velocity::{self, RootMotion};
@@ -27,6 +27,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     let (axes, free) = (freedoms.axes(), freedoms.count());
     workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: false, history: false });
     let (end_rotation, _) = stages::move_roots(h, members, workspace);
+    workspace.loaded.targets.load(members, h, rule, &workspace.loaded.units);
     whole::measure_roots(members, h, workspace);
     let (start, end) = root_motions(members, h, workspace);
     let Workspace { loaded, iterate, stages, .. } = workspace;
@@ -48,7 +49,17 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
                 let wind = if loaded.has_air { loaded.air[p] } else { loaded.wind };
                 force -= drag::resistance(v, wind, air_drag);
             }
-            system.point_stiffness[p] = density * weight;
+            let mut inertia = density;
+            if loaded.targets.are_present {
+                let (place, velocity) = (loaded.targets.positions[p], loaded.targets.velocities[p]);
+                let rate = loaded.targets.rates[p];
+                let (spring, damping) = (target::spring(density, rate), target::damping(density, rate));
+                let end = v + a.scale(step);
+                let leads_to = iterate.kinematics.points[p].position + end.scale(step);
+                force += (place - leads_to).scale(spring) + (velocity - end).scale(damping);
+                inertia += step * (damping + step * spring);
+            }
+            system.point_stiffness[p] = inertia * weight;
             system.point_force[p] = force.scale(step * weight);
         });
         for (element, length) in loaded.lengths.iter().enumerate() {
@@ -75,12 +86,11 @@ pub fn take<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
         };
     }
 
-    // The follicle carries weight, drag and the inertia of the whole motion: a = J q̈ + the acceleration without q̈.
-    let inertia = &mut iterate.system.point_force;
-    let (density, rate) = (loaded.linear_density, T::one() / step);
+    // The follicle carries weight, drag, targets' pulls and the inertia of the whole motion: a = J q̈ + the acceleration without q̈.
+    let (inertia, stiffness) = (&mut iterate.system.point_force, &iterate.system.point_stiffness);
+    let rate = T::one() / step;
     velocity::for_each_point(&iterate.kinematics, &iterate.change, &RootMotion::still(), |p, change, _| {
-        let weight = T::splat(rule.weights[p % per_element]) * loaded.lengths[p / per_element];
-        inertia[p] = (inertia[p] - change.scale(density * weight)).scale(rate);
+        inertia[p] = (inertia[p] - change.scale(stiffness[p])).scale(rate);
     });
     (workspace.wrench_force, workspace.wrench_torque) = wrench(&iterate.kinematics, inertia);
 

@@ -6,11 +6,13 @@
 
 use super::options::Integrator;
 use super::state::{StrandState, rotation_matrix};
+use super::target_lanes::TargetLanes;
 use super::{Surroundings, stages};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::strand::StrandModel;
+use crate::rod::target::TargetAt;
 
 /// Strands with one pack key ([`PackKey`]).
 pub trait Pack {
@@ -24,18 +26,21 @@ pub trait Pack {
     fn parts(&mut self, lane: usize) -> (&StrandModel, &mut StrandState);
     /// The root's pose at a time in seconds after the start of the step.
     fn root_at(&self, lane: usize, seconds: f64) -> Frame;
+    /// What draws a strand, if anything does.
+    fn target(&self, lane: usize) -> Option<TargetAt<'_>>;
 }
 
 /// The pack key: what strands must share to step side by side, as one number. It holds the number of elements, the quadrature
-/// rule, the free curvatures, the active terms (drag, internal friction along each axis), and whether the step uses the history.
+/// rule, the free curvatures, the active terms (drag, internal friction along each axis, a target), and whether the step uses the
+/// history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct PackKey(u64);
 
 impl PackKey {
-    /// The key of a strand in a step of `h` seconds.
-    pub fn of(model: &StrandModel, state: &StrandState, integrator: Integrator, h: f64) -> Self {
+    /// The key of a strand in a step of `h` seconds; `drawn`: whether a target draws it.
+    pub fn of(model: &StrandModel, state: &StrandState, drawn: bool, integrator: Integrator, h: f64) -> Self {
         let history = integrator == Integrator::SecondOrder && stages::uses_history(state, h);
-        let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(history) << 1;
+        let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(history) << 1 | u64::from(drawn) << 5;
         for axis in 0..3 {
             terms |= u64::from(model.dissipation[axis] > 0.0) << (axis + 2);
         }
@@ -52,6 +57,8 @@ pub struct One<'a> {
     pub state: &'a mut StrandState,
     /// The root's path.
     pub root_at: &'a dyn Fn(f64) -> Frame,
+    /// What draws it.
+    pub target: Option<TargetAt<'a>>,
 }
 
 impl Pack for One<'_> {
@@ -69,6 +76,9 @@ impl Pack for One<'_> {
     }
     fn root_at(&self, _lane: usize, seconds: f64) -> Frame {
         (self.root_at)(seconds)
+    }
+    fn target(&self, _lane: usize) -> Option<TargetAt<'_>> {
+        self.target
     }
 }
 
@@ -157,6 +167,8 @@ pub struct Loaded<T> {
     pub has_air: bool,
     /// Velocities of the air at the points.
     pub air: Vec<Vec3<T>>,
+    /// What draws the points to targets.
+    pub targets: TargetLanes<T>,
     /// κ.
     pub curvatures: Vec<[T; 3]>,
     /// κ̇.
@@ -201,6 +213,7 @@ impl<T: Lane> Default for Loaded<T> {
             wind: Vec3::zero(),
             has_air: false,
             air: Vec::new(),
+            targets: TargetLanes::default(),
             curvatures: Vec::new(),
             rates: Vec::new(),
             velocities: Vec::new(),
@@ -315,6 +328,7 @@ impl<T: Lane> Loaded<T> {
         if self.has_air {
             self.air.resize(points, Vec3::zero());
         }
+        self.targets.are_present = (0..self.count).any(|lane| members.target(lane).is_some());
         for lane in 0..T::LANES {
             let member = self.member(lane);
             self.load_lane(lane, members.model(member), members.state(member), surroundings, h, reads);

@@ -30,6 +30,7 @@
 //! - `state.rs`: The state of a strand: what a step changes.
 //! - `subdivision.rs`: Subdivision: a strand whose step does not converge, turns non-finite or errs by more than permitted takes it in substeps.
 //! - `tableau.rs`: Singly diagonally implicit Runge–Kutta methods, stiffly accurate and L-stable, that share one Newton.
+//! - `target_lanes.rs`: The targets of a pack's strands in lanes: what draws each quadrature point at the end of a stage.
 //! - `whole.rs`: A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 //! - `workspace.rs`: The scratch memory of a step, one per worker, kept between strands and steps so that nothing is allocated once it has grown.
 
@@ -61,6 +62,7 @@ pub mod stages;
 pub mod state;
 pub mod subdivision;
 pub mod tableau;
+pub mod target_lanes;
 pub mod whole;
 pub mod workspace;
 

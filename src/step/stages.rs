@@ -20,7 +20,7 @@ use super::workspace::{Stage, Workspace};
 use super::{Setting, StrandOutcome, local_error};
 use crate::chain::displacement;
 use crate::chain::system::LinearSolve;
-use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia};
+use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia, target};
 use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
@@ -160,6 +160,8 @@ fn solve_stage<T: Lane, S: LinearSolve<T>>(times: StageTimes<T>, seconds: f64, c
     let (workspace, outcomes) = (&mut *context.workspace, &mut *context.outcomes);
     let (rotation, offset) = move_roots(seconds, members, workspace);
     let rule = setting.rules.rule(members.state(0).rule);
+    let Loaded { targets, units, .. } = &mut workspace.loaded;
+    targets.load(members, seconds, rule, units);
     let freedoms = members.model(0).freedoms;
     let mut active = 0;
     for lane in 0..workspace.loaded.count {
@@ -419,7 +421,7 @@ pub(super) fn assemble_terms<T: Lane>(
     stage: &Stage<T>,
     iterate: &mut Iterate<T>,
 ) {
-    let Iterate { system, point_target, curvature_target, .. } = iterate;
+    let Iterate { system, point_base, point_target, curvature_target, .. } = iterate;
     let points = stage.start_displacements.len();
     system.resize(loaded.lengths.len(), points);
     point_target.resize(points, Vec3::zero());
@@ -439,7 +441,6 @@ pub(super) fn assemble_terms<T: Lane>(
     for (element, length) in loaded.lengths.iter().enumerate() {
         for (node, weight) in weights.iter().enumerate() {
             let p = element * per_element + node;
-            system.point_stiffness[p] = shared.stiffness * (T::splat(*weight) * *length);
             let start = stage.start_velocities[p];
             let mut pull = shared.pull;
             if loaded.has_drag {
@@ -448,6 +449,15 @@ pub(super) fn assemble_terms<T: Lane>(
                 }
                 pull -= drag::of_start(start, loaded.air_drag);
             }
+            let (mut stiffness, mut inverse) = (shared.stiffness, inverse);
+            if loaded.targets.are_present {
+                let mut own = PointQuadratic { stiffness, pull };
+                let leads_to = point_base[p] + (stage.start_displacements[p] + start.scale(k));
+                let (place, velocity) = (loaded.targets.positions[p], loaded.targets.velocities[p]);
+                target::add(&mut own, loaded.linear_density, k, loaded.targets.rates[p], place - leads_to, velocity - start);
+                (stiffness, pull, inverse) = (own.stiffness, own.pull, T::one() / own.stiffness);
+            }
+            system.point_stiffness[p] = stiffness * (T::splat(*weight) * *length);
             point_target[p] = stage.start_displacements[p] + (start.scale(k) + (pull.scale(inverse) - offset));
         }
         for axis in 0..3 {

@@ -12,6 +12,7 @@ use super::scratch::Bench;
 use super::single::Single;
 use super::state::{RuleScratch, StrandState};
 use super::{Setting, StrandOutcome, keep};
+use crate::rod::target::TargetAt;
 
 /// A substep grows where it errs by less than this fraction of the tolerance: a second-order step twice as long errs eight times
 /// as much.
@@ -43,7 +44,8 @@ pub fn in_substeps<T: Single>(
         let root_at = one.root_at;
         let part_root = |seconds: f64| root_at(from + seconds);
         let length = h * (f64::from(part) / f64::from(ticks));
-        let mut one_part = One { model: one.model, state: &mut *one.state, root_at: &part_root };
+        let target = one.target.map(|target| TargetAt { from: target.from + from, ..target });
+        let mut one_part = One { model: one.model, state: &mut *one.state, root_at: &part_root, target };
         let outcome = T::attempt(&one_part, setting, length, bench);
         total.iterations += outcome.iterations;
         let served = serves(options, &outcome);

@@ -111,7 +111,7 @@ impl RingComb {
     }
 
     /// Call it before a step of `dt` seconds: the comb moves to `to` within it. Catches those of `ids` whose current shape a
-    /// tooth runs into on the way.
+    /// tooth runs into on the way; an id that is there twice counts once.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] (`dt`, `to`). Nothing has then changed.
@@ -130,9 +130,10 @@ impl RingComb {
         let (radius, mut distance) = (self.radius, distances.into_iter());
         self.loose.retain(|_| distance.next().is_some_and(|distance| distance < AWAY * radius));
         let hits = solver.first_crossings(&free, &quads, self.options.exempt_length)?;
-        let mut made = Vec::new();
+        let mut made: Vec<(StrandId, Vector3<f64>, ConstraintDef)> = Vec::new();
         for (id, hit) in free.into_iter().zip(hits) {
-            let Some(hit) = hit.filter(|_| !self.loose.contains(&id)) else { continue };
+            let is_caught = made.iter().any(|(caught, ..)| *caught == id);
+            let Some(hit) = hit.filter(|_| !is_caught && !self.loose.contains(&id)) else { continue };
             // The strand keeps its place along the tooth; the time at which it was met does not matter.
             let [a, b] = self.teeth[hit.quad];
             let [start, end] = [[quads[hit.quad][0], quads[hit.quad][1]], [quads[hit.quad][3], quads[hit.quad][2]]];

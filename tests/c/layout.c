@@ -661,6 +661,19 @@ AT(shx_push_out_def, clearance, 16);
 AT(shx_push_out_def, point_counts, 24);
 AT(shx_push_out_def, curve_count, 32);
 
+SIZE(shx_target_def, 128);
+AT(shx_target_def, struct_size, 0);
+AT(shx_target_def, weight_count, 4);
+AT(shx_target_def, curve_count, 8);
+AT(shx_target_def, points, 16);
+AT(shx_target_def, point_counts, 48);
+AT(shx_target_def, arclengths, 56);
+AT(shx_target_def, weight_positions, 64);
+AT(shx_target_def, weights, 72);
+AT(shx_target_def, strand_weights, 80);
+AT(shx_target_def, time_constant, 88);
+AT(shx_target_def, reserved, 96);
+
 SIZE(shx_spline_def, 48);
 AT(shx_spline_def, struct_size, 0);
 AT(shx_spline_def, kind, 4);

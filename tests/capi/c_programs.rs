@@ -271,6 +271,13 @@ fn steps_are_limited_and_cancelled_from_c() {
 }
 
 #[test]
+fn ring_combs_in_the_hand_from_c() {
+    let path = program("haptic_ring_comb");
+    run(&mut Command::new(&path));
+    run(valgrind(&path).arg("300"));
+}
+
+#[test]
 fn elements_change_during_a_motion() {
     let path = program("level_of_detail");
     run(&mut Command::new(&path));
@@ -382,6 +389,14 @@ fn example_haptic_comb() {
     };
     let strongest = felt.lines().skip(1).map(force).fold(0.0, f64::max);
     assert!(strongest > 1e-5 && strongest < 3.0, "{strongest:e} N: {printed}");
+
+    // With teeth that hold hair.
+    let mut program = Command::new(examples().join("shared/haptic_comb"));
+    program.arg("--rings").args([groom("sintel_hair_001.tfx"), groom("sintel_bust.obj"), out, "2".into()]);
+    let printed = text(&mut program);
+    let (_, rings) = printed.split_once("rings: caught ").expect("a line of the rings");
+    let caught: u32 = rings.split(' ').next().and_then(|word| word.parse().ok()).expect("a number");
+    assert!(caught > 0, "{printed}");
 }
 
 #[test]

@@ -5,6 +5,7 @@
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr::{null, null_mut};
 
+use superhelix::internals::capi::contact::*;
 use superhelix::internals::capi::errors::*;
 use superhelix::internals::capi::guard::{panic_inside, shx_solver};
 use superhelix::internals::capi::log::*;
@@ -191,6 +192,25 @@ fn rule_6_a_strand_that_turns_non_finite_is_rolled_back_and_marked() {
         assert_eq!(status[0], SHX_STRAND_CONVERGED);
         shx_solver_destroy(handle);
     }
+}
+
+#[test]
+fn a_number_of_iterations_chosen_for_the_wrong_model_is_warned_of() {
+    let mut messages: Vec<(u32, String)> = Vec::new();
+    let handle = solver(Some(collect), (&raw mut messages).cast());
+    let mut options = std::mem::MaybeUninit::<shx_contact_options>::uninit();
+    // SAFETY: a living handle, and a structure of its own size.
+    unsafe {
+        assert_eq!(shx_contact_options_init(options.as_mut_ptr(), size_of::<shx_contact_options>()), SHX_OK);
+        let mut options = options.assume_init();
+        for (model, iterations) in [(SHX_CONTACT_COULOMB, 50), (SHX_CONTACT_PENALTY, 1), (SHX_CONTACT_COULOMB, 2)] {
+            (options.model, options.max_iterations) = (model, iterations);
+            assert_eq!(shx_solver_set_contact_options(handle, &raw const options), SHX_OK);
+        }
+        shx_solver_destroy(handle);
+    }
+    let warnings: Vec<&str> = messages.iter().filter(|(level, _)| *level == SHX_LOG_WARN).map(|(_, text)| &**text).collect();
+    assert!(warnings.len() == 1 && warnings[0].contains("options.max_iterations is 2"), "{messages:?}");
 }
 
 #[test]

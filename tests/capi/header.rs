@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
-const SUBJECTS: [(&str, &[&str]); 36] = [
+const SUBJECTS: [(&str, &[&str]); 37] = [
     ("Version", &["version"]),
     ("Results and errors", &["errors"]),
     (HANDLES, &["guard"]),
@@ -16,6 +16,7 @@ const SUBJECTS: [(&str, &[&str]); 36] = [
     ("Wind", &["wind"]),
     ("Strands", &["strand_def", "strands"]),
     ("Roots", &["roots"]),
+    ("Targets", &["targets"]),
     ("Curvatures", &["shape"]),
     ("Level of detail", &["level_of_detail"]),
     ("Static equilibrium", &["settle"]),
@@ -29,7 +30,7 @@ const SUBJECTS: [(&str, &[&str]); 36] = [
     ("Constraints", &["constraints"]),
     ("Rigid attachments", &["attachment"]),
     ("Haptics", &["haptic_def", "haptic"]),
-    ("Styling tools", &["styling_tool", "styling", "ring_comb"]),
+    ("Styling tools", &["styling_tool", "styling", "ring_comb", "haptic_ring_comb"]),
     ("Snapshots", &["state"]),
     ("Debug drawing", &["debug_draw"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),

@@ -37,6 +37,7 @@ use superhelix::internals::capi::strand_def::shx_strand_def;
 use superhelix::internals::capi::styling::{shx_clip_def, shx_cut, shx_heat_def};
 use superhelix::internals::capi::styling_tool::shx_tool_def;
 use superhelix::internals::capi::suggest::{shx_suggest_def, shx_suggestion};
+use superhelix::internals::capi::targets::shx_target_def;
 use superhelix::internals::capi::types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id};
 use superhelix::internals::capi::wisp::shx_wisp;
 
@@ -112,6 +113,10 @@ fn every_size_and_offset_is_as_published() {
         shx_distance_grid_def: 72 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, cell: 56, band: 64 }
         shx_hair_strands_def: 56 { struct_size: 0, reserved0: 4, hair_type: 8, sliders: 16, first_strand: 24, strand_count: 32, element_counts: 40, element_lengths: 48 }
         shx_push_out_def: 40 { struct_size: 0, reserved0: 4, body: 8, clearance: 16, point_counts: 24, curve_count: 32 }
+        shx_target_def: 128 {
+            struct_size: 0, weight_count: 4, curve_count: 8, points: 16, point_counts: 48, arclengths: 56, weight_positions: 64, weights: 72,
+            strand_weights: 80, time_constant: 88, reserved: 96,
+        }
         shx_spline_def: 48 { struct_size: 0, kind: 4, ends: 8, points_per_span: 12, controls: 16 }
         shx_haptic_def: 200 { struct_size: 0, mode: 4, handle: 8, stiffness: 64, damping: 72, angular_stiffness: 80, angular_damping: 88, max_force: 96, max_torque: 104, max_force_rate: 112, max_torque_rate: 120, energy_allowance: 128, max_energy_credit: 136, max_acceleration: 144, max_angular_acceleration: 152, max_model_age: 160, max_contacts: 168, max_sweeps: 172, force_law: 176, reserved0: 180, explicit_time: 184, explicit_friction: 192 }
         shx_haptic_state: 176 { struct_size: 0, limits: 4, proxy: 8, contact_force: 64, contact_torque: 88, energy_given: 112, energy_received: 120, max_energy_excess: 128, model_age: 136, model_count: 144, contacts: 152, pressing: 156, left_out: 160, sweeps: 164, residual: 168 }

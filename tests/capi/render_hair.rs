@@ -183,6 +183,40 @@ fn any_number_of_threads_writes_the_same_bits_into_any_stride() {
     }
 }
 
+/// Tangents are the first axes of the frames, in the world and in a mirrored space in centimetres, where they stay of unit length.
+#[test]
+fn frames_are_given_by_their_tangents_too() {
+    const STRANDS: usize = 200;
+    let (points, roots) = (curves(), places(STRANDS));
+    let guides = guides(&points);
+    let made = Made::new(&settings(SHX_INTERPOLATION_POSITION), &guides, &roots);
+    let world = filled(shx_render_view_init);
+    let host = shx_render_view { x_axis: [100.0, 0.0, 0.0], y_axis: [0.0, 0.0, 100.0], z_axis: [0.0, 100.0, 0.0], ..world };
+    for view in [&world, &host] {
+        let (mut turns, mut tangents) = (vec![[0.0_f32; 4]; STRANDS * POINTS], vec![[0.0_f32; 3]; STRANDS * POINTS]);
+        let frames = output(&mut turns, STRANDS * POINTS, SHX_FORMAT_F32X4);
+        let along = output(&mut tangents, STRANDS * POINTS, SHX_FORMAT_F32X3);
+        // SAFETY: a living pose and memory of the sizes that are stated.
+        unsafe {
+            assert_eq!(shx_render_pose_evaluate(made.pose, view, null(), &frames, null()), SHX_OK);
+            assert_eq!(shx_render_pose_evaluate(made.pose, view, null(), &along, null()), SHX_OK);
+        }
+        let drawn = made.points(view, STRANDS);
+        for item in 0..STRANDS * POINTS {
+            let [x, y, z, w] = turns[item].map(f64::from);
+            let turn = nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, x, y, z));
+            let tangent = nalgebra::Vector3::from(tangents[item].map(f64::from));
+            assert!((tangent - turn * nalgebra::Vector3::x()).norm() < 2e-7, "{item}");
+            assert!((tangent.norm() - 1.0).abs() < 2e-7, "{item}: {tangent}");
+            // Towards the tip: with the edges beside it.
+            if item % POINTS + 1 < POINTS {
+                let [from, to] = [drawn[item], drawn[item + 1]].map(|[x, y, z, _]| nalgebra::Vector3::new(x, y, z).cast::<f64>());
+                assert!((to - from).normalize().dot(&tangent) > 0.7, "{item}");
+            }
+        }
+    }
+}
+
 #[test]
 fn curves_of_any_number_of_points_are_sampled() {
     // Straight guides: their points uniform, and the same lines with points anywhere, some of them doubled, another number on each.

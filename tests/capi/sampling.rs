@@ -150,6 +150,35 @@ fn rule_9_formats_agree_and_bytes_between_items_are_left_alone() {
             assert!((f64::from(quaternion[number]) - frame[3 + number]).abs() < 1e-6);
         }
     }
+
+    // Tangents alone: the first axes of the frames, as floats and as doubles, of all strands and of one.
+    let (mut floats, mut doubles) = ([[0.0_f32; 3]; STRANDS * POINTS], [[0.0_f64; 3]; STRANDS * POINTS]);
+    scene.sample([0.0; 3], None, Some(output(&mut floats, SHX_FORMAT_F32X3)), None);
+    scene.sample([0.0; 3], None, Some(output(&mut doubles, SHX_FORMAT_F64X3)), None);
+    for (item, frame) in frames.iter().enumerate() {
+        let expected = axes_of(&frame[3..])[0];
+        assert!((nalgebra::Vector3::from(doubles[item]) - expected).norm() < 1e-14, "{item}: {:?} {expected}", doubles[item]);
+        assert!((nalgebra::Vector3::from(floats[item].map(f64::from)) - expected).norm() < 2e-6, "{item}");
+        assert!((nalgebra::Vector3::from(floats[item]).norm() - 1.0).abs() < 2e-7, "{item}");
+    }
+    let mut at = [[0.0_f64; 3]; 2];
+    let tangents = output(&mut at, SHX_FORMAT_F64X3);
+    // SAFETY: a living handle, two numbers, and room for two tangents.
+    let result = unsafe {
+        let (id, places) = (scene.ids[0], [0.0, 0.1]);
+        shx_solver_sample_at(scene.solver, id, places.as_ptr(), 2, null(), null(), &raw const tangents, null())
+    };
+    assert_eq!(result, SHX_OK);
+    for axis in 0..3 {
+        let ends = [doubles[0][axis], doubles[POINTS - 1][axis]];
+        assert!((at[0][axis] - ends[0]).abs() < 1e-12 && (at[1][axis] - ends[1]).abs() < 1e-12, "{at:?}");
+    }
+}
+
+/// The axes of a frame, from its quaternion x, y, z, w.
+fn axes_of(q: &[f64]) -> [nalgebra::Vector3<f64>; 3] {
+    let turn = nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(q[3], q[0], q[1], q[2]));
+    [nalgebra::Vector3::x(), nalgebra::Vector3::y(), nalgebra::Vector3::z()].map(|axis| turn * axis)
 }
 
 #[test]
@@ -297,6 +326,9 @@ fn outputs_come_in_the_host_s_units_and_axes() {
         let (mut singles, mut quaternions) = ([[0.0_f32; 4]; COUNT], [[0.0_f32; 4]; COUNT]);
         let places = (output(&mut singles, SHX_FORMAT_F32X4), output(&mut quaternions, SHX_FORMAT_F32X4));
         scene.sample_by(&def, Some(places.0), Some(places.1), None);
+        let (mut tangents, mut single_tangents) = ([[0.0_f64; 3]; COUNT], [[0.0_f32; 3]; COUNT]);
+        scene.sample_by(&def, None, Some(output(&mut tangents, SHX_FORMAT_F64X3)), None);
+        scene.sample_by(&def, None, Some(output(&mut single_tangents, SHX_FORMAT_F32X3)), None);
         for item in 0..COUNT {
             let (position, velocity) = (mapped(&points[item]), mapped(&velocities[item]));
             for axis in 0..3 {
@@ -308,16 +340,15 @@ fn outputs_come_in_the_host_s_units_and_axes() {
             }
             assert!((host_points[item][3] - 100.0 * points[item][3]).abs() < 1e-15 && (singles[item][3] - 6e-3).abs() < 1e-9);
             // The host's frame has the mapped tangent and first normal, and is a rotation.
-            let axes_of = |q: &[f64]| {
-                let turn = nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(q[3], q[0], q[1], q[2]));
-                [nalgebra::Vector3::x(), nalgebra::Vector3::y(), nalgebra::Vector3::z()].map(|axis| turn * axis)
-            };
             let (own, host) = (axes_of(&frames[item][3..]), axes_of(&host_frames[item][3..]));
             for k in 0..3 {
                 let sign = if mirrored && k == 2 { -1.0 } else { 1.0 };
                 let expected = nalgebra::Vector3::from(mapped(own[k].as_slice())) * (sign / 100.0);
                 assert!((host[k] - expected).norm() < 1e-12, "{item} axis {k}");
             }
+            // Tangents turn along and stay of unit length.
+            assert!((nalgebra::Vector3::from(tangents[item]) - host[0]).norm() < 1e-12, "{item}");
+            assert!((nalgebra::Vector3::from(single_tangents[item].map(f64::from)) - host[0]).norm() < 2e-6, "{item}");
             for k in 0..4 {
                 let (a, b) = (f64::from(quaternions[item][k]), host_frames[item][3 + k]);
                 assert!((a - b).abs() < 1e-5 || (a + b).abs() < 1e-5);

@@ -312,7 +312,7 @@ fn strands_collide_by_their_groups() {
     let lowest = |strand: Value, floor: Value| {
         let strand = with(with(lying(), "/contact", strand), "/elements", json!(4));
         let scene = with(scene_of(json!([strand]), 0.5), "/colliders", json!([floor]));
-        let result = run(&directory, &scene);
+        let result = run(&directory, &with(scene, "/groups", json!(["head", "bangs", "tail"])));
         let points = last(&result["strands"][0]["points"]).as_array().unwrap();
         points.iter().map(|point| vector(point)[2]).fold(f64::INFINITY, f64::min)
     };
@@ -327,6 +327,11 @@ fn strands_collide_by_their_groups() {
     assert!(lowest(json!({"group": 4}), with(floor.clone(), "/mask", json!(4))) > -0.02 - TOLERANCE);
     assert!(lowest(json!({"group": 4}), with(floor.clone(), "/mask", json!(3))) < -0.03);
     assert!(lowest(json!({"mask": 4}), with(floor.clone(), "/group", json!(5))) > -0.02 - TOLERANCE);
+    // The same by names.
+    let named = |group: Value, mask: Value| lowest(json!({ "group": group }), with(floor.clone(), "/mask", mask));
+    assert!(named(json!("bangs"), json!(["tail", "bangs"])) > -0.02 - TOLERANCE);
+    assert!(named(json!(["bangs", "tail"]), json!("tail")) > -0.02 - TOLERANCE);
+    assert!(named(json!("bangs"), json!(["head", "tail"])) < -0.03);
 }
 
 #[test]

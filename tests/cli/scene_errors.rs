@@ -240,6 +240,10 @@ fn bad_contact_is_named() {
         ("/strands/0/contact", json!({"hair_friction": -3}), "strands[0].contact.hair_friction", "-3"),
         ("/strands/0/contact", json!({"exempt_length": -1}), "strands[0].contact.exempt_length", "-1"),
         ("/strands/0/contact", json!({"group": "all"}), "strands[0].contact.group", "\"all\""),
+        ("/strands/0/contact", json!({"mask": ["all"]}), "strands[0].contact.mask[0]", "\"all\""),
+        ("/groups", json!(["head", "head"]), "groups[1]", "\"head\""),
+        ("/strands/0/root_motion", json!({"motion": "head"}), "strands[0].root_motion.motion", "\"head\""),
+        ("/motions", json!({"head": {"times": [0], "frames": []}}), "motions.head.frames", "a list of 0"),
         ("/strands/0/contact", json!({"mask": -1}), "strands[0].contact.mask", "-1"),
     ] {
         refuse(&directory, &with(small_scene(), pointer, value).to_string(), key, shown);

@@ -145,7 +145,16 @@ impl Moving {
         let mut bounds = PathBounds::default();
         bounds.update(&path);
         let mut out = Vec::new();
-        contacts(&path, &bounds, Span { exempt }, radius, body, within, &mut BodySearchScratch::default(), &mut out);
+        contacts(
+            &path,
+            &bounds,
+            Span { exempt, unmoved: &[] },
+            radius,
+            body,
+            within,
+            &mut BodySearchScratch::default(),
+            &mut out,
+        );
         out
     }
 }

@@ -1,5 +1,6 @@
 //! Files of grooms, meshes, motions and caches, good and bad ones.
 
+mod alembic;
 mod hair;
 mod motion;
 mod obj;

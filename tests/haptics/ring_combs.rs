@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::haptic::{Device, ForceLaw, HapticOptions, HapticState, Mode, Tool, haptic};
 use superhelix::tools::{RingComb, RingCombOptions};
-use superhelix::{BodyDef, Error, Frame, Shape, Solver, StrandId, Wrench};
+use superhelix::{BodyDef, Error, Frame, Shape, Solver, SolverOptions, StrandId, Wrench};
 
 use super::agreement::rms;
 use super::scene::{TICK, combed_hair, motion, stroke};
@@ -131,6 +131,11 @@ fn strands_are_checked_released_and_forgotten() {
     let stale = StrandId::from_bits(u64::MAX);
     let error = tool.add_ring_comb(&solver, comb(stroke(0.0)), &[ids[0], stale]).unwrap_err();
     assert!(matches!(&error, Error::InvalidId { argument, .. } if argument == "strands[1]"), "{error:?}");
+    let (mut other, foreign) = (Solver::new(SolverOptions::default()).unwrap(), |argument: &str| argument == "bodies[0]");
+    let error = tool.add_ring_comb(&other, comb(stroke(0.0)), &[]).unwrap_err();
+    assert!(matches!(&error, Error::InvalidId { argument, .. } if foreign(argument)), "{error:?}");
+    let error = tool.release_ring_combs(&mut other).unwrap_err();
+    assert!(matches!(&error, Error::InvalidId { argument, .. } if foreign(argument)), "{error:?}");
     assert_eq!(tool.ring_combs().len(), 1);
     let mut held = 0;
     for tick in 0..700 {

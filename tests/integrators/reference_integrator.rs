@@ -60,7 +60,12 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
         for step in 0..steps as u32 {
             let from = t + h * f64::from(step);
             let root_at = |elapsed: f64| case.root.map_or(def.root, |root| root.at(from + elapsed));
-            let outcome = step::take(&setting, &mut One { model: &model, state: &mut state, root_at: &root_at }, h, &mut scratch);
+            let outcome = step::take(
+                &setting,
+                &mut One { model: &model, state: &mut state, root_at: &root_at, target: None },
+                h,
+                &mut scratch,
+            );
             assert!(outcome.converged && !outcome.quarantined, "{} at {tolerance:e}, {from} s", case.name);
             iterations += outcome.iterations;
         }

@@ -9,4 +9,5 @@ mod lanes;
 mod level_of_detail;
 mod live_options;
 mod snapshot_shapes;
+mod targets;
 mod wind;

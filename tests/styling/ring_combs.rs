@@ -85,6 +85,26 @@ fn two_combs_and_a_force_that_is_too_much() {
     assert!(let_go >= 1 && caught >= let_go, "{caught} {let_go}");
 }
 
+/// A strand that is listed twice is on one tooth all the same.
+#[test]
+fn a_strand_that_is_listed_twice_is_caught_once() {
+    let (mut solver, ids) = row(4, 0.12, &WAVY);
+    let twice = [ids.clone(), ids.clone()].concat();
+    let mut comb = RingComb::new(&COMB, &pose(-0.04, -0.03), &RingCombOptions::default()).unwrap();
+    let mut caught = 0;
+    for step in 1..=60 {
+        comb.before_step(&mut solver, &twice, &pose(-0.04 + 0.04 * f64::from(step) / 60.0, -0.03), STEP).unwrap();
+        let mut held: Vec<_> = comb.held().map(|(strand, _)| strand).collect();
+        let count = held.len();
+        held.sort_unstable();
+        held.dedup();
+        assert_eq!((held.len(), solver.constraint_ids().len()), (count, count));
+        solver.step(STEP, 1).unwrap();
+        caught += comb.after_step(&mut solver).unwrap().caught;
+    }
+    assert!(caught >= 1 && caught as usize <= ids.len(), "{caught}");
+}
+
 #[test]
 fn bad_input_is_named_and_a_removed_strand_forgotten() {
     let options = RingCombOptions { max_force: 0.0, ..RingCombOptions::default() };

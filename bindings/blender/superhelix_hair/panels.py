@@ -122,6 +122,19 @@ class SUPERHELIX_PT_contact(_Sub, bpy.types.Panel):
             layout.prop(obj.superhelix, name)
 
 
+class SUPERHELIX_PT_follow(_Sub, bpy.types.Panel):
+    """What hair follows."""
+
+    bl_label = "Follow Rigged Curves"
+
+    def fill(self, layout: bpy.types.UILayout, obj: bpy.types.Object) -> None:
+        """The rig's curves, and how firmly."""
+        layout.prop(obj.superhelix, "target")
+        if obj.superhelix.target is not None:
+            for name in ("follow_root", "follow_tip", "follow_time"):
+                layout.prop(obj.superhelix, name)
+
+
 class SUPERHELIX_PT_groom(_Sub, bpy.types.Panel):
     """The drawn hair."""
 
@@ -183,6 +196,7 @@ CLASSES: tuple[Any, ...] = (
     SUPERHELIX_PT_hair,
     SUPERHELIX_PT_cache,
     SUPERHELIX_PT_contact,
+    SUPERHELIX_PT_follow,
     SUPERHELIX_PT_groom,
     SUPERHELIX_PT_render,
     SUPERHELIX_PT_advanced,

@@ -134,6 +134,21 @@ class HairOptions(bpy.types.PropertyGroup):
     threads: IntProperty(name="Threads", default=0, min=0, max=256, description="Processor threads; results do not depend on them. 0: all")
     use_surface: BoolProperty(name="Collide with Surface", default=True, description="Keep hair out of the surface that it is attached to")
     colliders: PointerProperty(type=bpy.types.Collection, name="Colliders", description="Mesh objects in this collection keep hair out")
+    target: PointerProperty(
+        type=bpy.types.Object,
+        name="Rigged Curves",
+        poll=lambda _self, obj: obj.type == "CURVES",
+        description="Hair curves that a rig moves, one for each simulated curve in the same order. Simulated curves are drawn to them",
+    )
+    follow_root: FloatProperty(
+        name="At Root", default=1.0, min=0.0, max=1.0, subtype="FACTOR", description="How firmly curves follow the rig at their roots: 0 free, 1 on the rig"
+    )
+    follow_tip: FloatProperty(
+        name="At Tip", default=0.0, min=0.0, max=1.0, subtype="FACTOR", description="How firmly curves follow the rig at their tips: 0 free, 1 on the rig"
+    )
+    follow_time: FloatProperty(
+        name="Time (s)", default=0.1, min=0.0001, max=100.0, description="Time constant with which a point comes to the rig where the weight is one half"
+    )
     frame_start: IntProperty(name="Start", default=1, min=0, description="Frame at which the hair is as drawn")
     cache_folder: StringProperty(
         name="Cache Folder",
@@ -233,6 +248,9 @@ def settings_of(obj: bpy.types.Object) -> HairSettings:
         hair_contact=chosen.hair_contact,
         contact_model=shx.ContactModel[chosen.contact_model],
         friction=exact(chosen.friction),
+        follow_root=exact(chosen.follow_root),
+        follow_tip=exact(chosen.follow_tip),
+        follow_time=exact(chosen.follow_time),
         gravity=(exact(chosen.gravity[0]), exact(chosen.gravity[1]), exact(chosen.gravity[2])),
         worker_count=chosen.threads or min(os.cpu_count() or 1, 256),
     )

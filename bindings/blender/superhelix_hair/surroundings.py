@@ -117,7 +117,9 @@ class Surroundings:
             points = self._attach(obj, scene, points, counts, depsgraph)
         self._stretches: dict[str, Numbers] = {}
         self.colliders = [self._collider(body, scene, depsgraph) for body in _collider_objects(obj)]
-        self.rest = Rest(points, counts, self.colliders, self.inputs(obj, scene, depsgraph))
+        rig = self._rigged(obj, depsgraph)
+        target_counts = None if rig is None else memory.point_counts(rig)
+        self.rest = Rest(points, counts, self.colliders, self.inputs(obj, scene, depsgraph), target_counts)
         length = self.rest.median_length()
         if not 0.005 <= length <= 1.2:
             self.warnings.append(
@@ -204,7 +206,22 @@ class Surroundings:
         if [body.name_full for body in objects] != [collider.name for collider in self.colliders]:
             raise ValueError(f"colliders of {obj.name}: others than at the first frame; go there to start with them")
         bodies = [self._body(collider, body, scene, depsgraph) for collider, body in zip(self.colliders, objects, strict=True)]
-        return FrameInputs(carriers, bodies, np.asarray(np.linalg.inv(matrix), dtype=np.float64), tuple(obj.superhelix.wind))
+        rig = self._rigged(obj, depsgraph)
+        targets = None if rig is None else transformed(world_matrix(obj.superhelix.target, depsgraph, scene), memory.read(rig).astype(np.float64))
+        return FrameInputs(carriers, bodies, np.asarray(np.linalg.inv(matrix), dtype=np.float64), tuple(obj.superhelix.wind), targets)
+
+    @staticmethod
+    def _rigged(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bpy.types.Curves | None:
+        """The rigged curves that hair follows, as its modifiers leave them now."""
+        target = obj.superhelix.target
+        if target is None:
+            return None
+        if target == obj:
+            raise ValueError(f"curves {obj.name}: they cannot follow themselves")
+        curves = target.evaluated_get(depsgraph).data
+        if len(curves.curves) != len(obj.data.curves):
+            raise ValueError(f"rigged curves {target.name}: {len(curves.curves)} curves; {len(obj.data.curves)} expected, as {obj.name} has")
+        return curves
 
     def _body(self, collider: Collider, body: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> Numbers:
         matrix = world_matrix(body, depsgraph, scene)

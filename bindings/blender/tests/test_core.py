@@ -96,6 +96,71 @@ def test_equals_prepare(tmp_path: Path) -> None:
     session.close()
 
 
+def rigged(frame: int, count: int = 12) -> np.ndarray:
+    """Curves of another number of points that go with the head and nod."""
+    rows = drawn(count, 15)
+    rows[..., 2] += 0.02 * np.sin(0.6 * (frame - 1)) * np.linspace(0, 1, 15) ** 2
+    pose = head(frame)
+    return pose[:3] + shx.frames.rotate(pose[3:], rows.reshape(-1, 3))
+
+
+def followed(tmp_path: Path, root: float, tip: float) -> tuple[Session, object]:
+    rest, inputs = scene()
+
+    def with_targets(frame: int) -> FrameInputs:
+        now = inputs(frame)
+        now.targets = rigged(frame)
+        return now
+
+    rest = Rest(rest.points, rest.point_counts, rest.colliders, with_targets(1), np.full(12, 15))
+    settings = HairSettings(gravity=(0.0, 0.0, -9.81), follow_root=root, follow_tip=tip)
+    return Session(rest, settings, folder=tmp_path, frame_time=DT), with_targets
+
+
+def test_curves_follow_a_rig(tmp_path: Path) -> None:
+    session, inputs = followed(tmp_path / "a", 1.0, 1.0)
+    session.run(10, inputs)
+    assert session.rig.solver.target_distances(session.rig.strands).max() < 1e-3
+    on_rig = session.positions(10).copy()
+    session.close()
+    free, inputs = followed(tmp_path / "b", 0.0, 0.0)
+    free.run(10, inputs)
+    rest, alone = scene()
+    plain = make(rest, tmp_path / "c")
+    plain.run(10, alone)
+    assert np.array_equal(free.positions(10), plain.positions(10))
+    assert np.abs(on_rig - plain.positions(10)).max() > 5e-3
+    free.close()
+    plain.close()
+    # A second process continues on the rig.
+    again, inputs = followed(tmp_path / "d", 1.0, 0.2)
+    again.run(6, inputs)
+    again.close()
+    again, inputs = followed(tmp_path / "d", 1.0, 0.2)
+    again.run(10, inputs)
+    whole, inputs = followed(tmp_path / "e", 1.0, 0.2)
+    whole.run(10, inputs)
+    assert np.array_equal(again.positions(10), whole.positions(10))
+    broken = inputs(11)
+    broken.targets = broken.targets[:-1]
+    with pytest.raises(ValueError, match="rigged curves: 179 points, where the first frame has 180"):
+        whole.advance(broken)
+    again.close()
+    whole.close()
+
+
+def test_rigged_curves_are_one_for_each(tmp_path: Path) -> None:
+    rest, inputs = scene()
+    now = inputs(1)
+    now.targets = rigged(1)
+    with pytest.raises(ValueError, match="rigged curves: 11; 12 expected"):
+        Rest(rest.points, rest.point_counts, rest.colliders, now, np.full(11, 15))
+    with pytest.raises(ValueError, match="targets: points and their numbers"):
+        Rest(rest.points, rest.point_counts, rest.colliders, now)
+    with pytest.raises(ValueError, match="follow_tip: 2"):
+        HairSettings(follow_tip=2.0)
+
+
 def test_scrubbing_is_the_straight_run(tmp_path: Path) -> None:
     rows = straight(tmp_path / "a")
     rest, inputs = scene()

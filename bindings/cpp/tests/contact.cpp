@@ -168,6 +168,48 @@ TEST(a_hand_feels_hair) {
   EXPECT(WHY(hand.update(make_frame({}), {}, {}, 0.0)).code() == SHX_ERROR_INVALID_ARGUMENT);
 }
 
+// A ball in the hand, which hair without contact ignores, and a tooth along y from there on; both go along x.
+TEST(ring_combs_in_the_hand) {
+  solver hair = GET(solver::create());
+  const std::vector<strand_id> ids = hanging(hair, 4);
+  const auto ball_at = [](double x) { return make_frame({x, -0.03, -0.03}); };
+  const body_id ball = GET(hair.add_body(body_def().with_shape(shape::sphere).with_radius(0.001).with_pose(ball_at(-0.03))));
+  haptic hand = GET(haptic::create(hair, ball, haptic_def().with_mode(haptic_mode::direct)));
+  const tool_def finger = tool_def().with_kind(tool::finger);
+  const frame tooth = make_frame({-0.03, -0.03, -0.03}, {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)});
+  EXPECT(WHY(hand.add_ring_comb(hair, tool_def().with_kind(tool::plates), tooth, ids)).code() == SHX_ERROR_UNSUPPORTED);
+  EXPECT(WHY(hand.get_ring_comb_report(0)).code() == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(GET(hand.add_ring_comb(hair, finger, tooth, ids)) == 0);
+  EXPECT(GET(hand.add_ring_comb(hair, finger, tooth, ids, ring_comb_def().with_max_force(1e-9))) == 1);
+  EXPECT(GET(hand.get_ring_comb_report(1)).held == 0);
+  NEAR(GET(hand.ring_comb_frame(1)).origin[2], -0.03, 1e-12);
+  haptic_state state;
+  std::array<std::uint32_t, 2> caught{};
+  std::uint32_t let_go = 0;
+  vec3 pulled{};
+  for (int step = 0; step <= 20; step++) {
+    GET(hand.update(ball_at(-0.03 + 0.09 * step / 20), {4.5, 0.0, 0.0}, {}, 1e-3, &state));
+    for (std::size_t axis = 0; axis < 3; axis++)
+      NEAR(state.contact_force[axis], pulled[axis], 1e-9);
+    GET(hand.before_step(hair, 1e-3));
+    GET(hair.step(1e-3));
+    GET(hand.after_step(hair));
+    pulled = {};
+    for (std::size_t comb = 0; comb < 2; comb++) {
+      const ring_comb_report report = GET(hand.get_ring_comb_report(comb));
+      caught[comb] += report.caught;
+      let_go += comb == 1 ? report.let_go : 0;
+      for (std::size_t axis = 0; axis < 3; axis++)
+        pulled[axis] += report.force[axis];
+    }
+  }
+  EXPECT(caught[0] == 4 && caught[1] >= 4 && let_go >= 4);
+  for (std::size_t axis = 0; axis < 3; axis++)
+    NEAR(GET(hand.ring_comb_frame(0)).origin[axis], state.proxy.origin[axis], 1e-12);
+  GET(hand.release_ring_combs(hair));
+  EXPECT(GET(hair.constraint_count()) == 0);
+}
+
 TEST(styling) {
   solver hair = GET(solver::create());
   const std::vector<strand_id> ids = hanging(hair, 4);

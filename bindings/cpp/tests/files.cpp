@@ -89,6 +89,9 @@ TEST(render_hair_follows_guides) {
   GET(pose.evaluate(points, {}, velocities));
   NEAR(points[0][0], 0.0F, 1e-4F);
   NEAR(points[7][2], -0.2F, 5e-3F);
+  std::vector<std::array<float, 3>> tangents(160);
+  GET(pose.evaluate(output(), tangents));
+  NEAR(tangents[3][2], -1.0F, 0.01F);  // it hangs
   const auto view = render_view().with_first_strand(5).with_strand_count(2);
   std::vector<std::array<float, 3>> two(16);
   GET(pose.evaluate(view, two));

@@ -100,6 +100,31 @@ TEST(roots_move_and_feel_the_weight) {
   EXPECT(WHY(hair.set_root_frames(ids, make_frame({0.0, 0.0, 0.0}), 0.1)).code() == SHX_ERROR_INVALID_ARGUMENT);
 }
 
+TEST(strands_follow_targets) {
+  solver hair = GET(solver::create());
+  const auto ids = hanging(hair, 2);
+  std::vector<double> distances(2);
+  GET(hair.target_distances(ids, distances));
+  EXPECT(distances[0] == -1.0 && distances[1] == -1.0);
+  // Hanging strands, drawn to the side.
+  std::vector<vec3> curves;
+  for (int strand = 0; strand < 2; strand++)
+    for (int point = 0; point < 9; point++)
+      curves.push_back({0.01 * strand, 1e-4 * point * point, -0.0249 * point});
+  const std::vector<double> positions{0.0, 1.0}, weights{1.0, 1.0}, strand_weights{1.0, 0.0};
+  target_def def;
+  def.with_points(curves).with_weight_positions(positions).with_weights(weights).with_strand_weights(strand_weights).with_time_constant(0.05);
+  GET(hair.set_targets(ids, def, 0.1));
+  for (int frame = 0; frame < 10; frame++)
+    GET(hair.step(0.01));
+  GET(hair.target_distances(ids, distances));
+  EXPECT(distances[0] >= 0.0 && distances[0] < 2e-3 && distances[1] == -1.0);
+  GET(hair.clear_targets(ids));
+  GET(hair.target_distances(ids, distances));
+  EXPECT(distances[0] == -1.0);
+  EXPECT(WHY(hair.set_targets(ids[0], def, 0.1)).code() == SHX_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(shapes_are_set_settled_and_adopted) {
   solver hair = GET(solver::create());
   const auto ids = hanging(hair, 2);
@@ -192,6 +217,12 @@ TEST(sampling_fills_the_hosts_vertices) {
   GET(hair.step(0.01));
   GET(hair.sample_strands(ids, def, output::of(vertices, &interleaved::position), {}, output::of(vertices, &interleaved::velocity)));
   GET(hair.sample_strands(ids, def, packed, frames));
+  std::vector<vec3> tangents(3 * 5);
+  GET(hair.sample_strands(ids, def, {}, tangents));
+  for (std::size_t i = 0; i < tangents.size(); i++) {
+    const double *turn = frames[i].rotation;
+    NEAR(tangents[i][2], 2.0 * (turn[0] * turn[2] - turn[3] * turn[1]), 1e-12);
+  }
   for (std::size_t i = 0; i < packed.size(); i++) {
     for (std::size_t k = 0; k < 3; k++)
       NEAR(static_cast<double>(vertices[i].position[k]), packed[i][k], 1e-6);

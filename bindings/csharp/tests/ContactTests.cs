@@ -183,6 +183,46 @@ namespace Superhelix.Tests
       }
     }
 
+    // A ball in the hand, which hair without contact ignores, and a tooth along y from there on; both go along x.
+    internal static void RingCombsInTheHand()
+    {
+      using (Solver hair = new Solver())
+      {
+        StrandId[] ids = Check.Hanging(hair, 4);
+        BodyId[] ball = hair.AddBodies(new BodyDef { Shape = Shape.Sphere, Radius = 0.001, Pose = At(-0.03, -0.03, -0.03) });
+        HapticDef def = HapticDef.Default;
+        def.Mode = (uint)HapticMode.Direct;
+        ToolDef tool = ToolDef.Default;
+        tool.Kind = Tool.Finger;
+        Frame tooth = At(-0.03, -0.03, -0.03);
+        tooth.Rotation = new Quat(-0.70710678118654757, 0, 0, 0.70710678118654757);
+        using (Haptic haptic = new Haptic(hair, ball, def))
+        {
+          int index = haptic.AddRingComb(hair, tool, tooth, ids);
+          Check.That(index == 0 && haptic.RingCombReport(0).Held == 0 && Math.Abs(haptic.RingCombFrame(0).Origin.Z + 0.03) < 1e-12, "added");
+          Check.Fails(ErrorCode.InvalidArgument, () => haptic.RingCombReport(1));
+          Check.Fails(ErrorCode.InvalidArgument, () => haptic.RingCombFrame(-1));
+          HapticState state = HapticState.Default;
+          Vec3 force, torque;
+          RingCombReport report = new RingCombReport();
+          uint caught = 0;
+          for (int step = 0; step <= 20; step++)
+          {
+            haptic.Update(At(-0.03 + 0.09 * step / 20, -0.03, -0.03), new Vec3(4.5, 0, 0), new Vec3(), 1e-3, out force, out torque, ref state);
+            Check.That(Math.Abs(state.ContactForce.X - report.Force.X) < 1e-12, "felt");
+            haptic.BeforeStep(hair, 1e-3);
+            hair.Step(1e-3);
+            haptic.AfterStep(hair);
+            report = haptic.RingCombReport(0);
+            caught += report.Caught;
+          }
+          Check.That(caught == 4 && Math.Abs(haptic.RingCombFrame(0).Origin.X - state.Proxy.Origin.X) < 1e-12, "caught");
+          haptic.ReleaseRingCombs(hair);
+          Check.That(hair.ConstraintCount() == 0, "released");
+        }
+      }
+    }
+
     internal static void Styles()
     {
       using (Solver hair = new Solver())

@@ -209,6 +209,9 @@ namespace Superhelix.Tests
           hair.SetRenderPose(ids, true, pose);
           pose.Evaluate(null, points, default(Items), velocities);
           Check.Near(points[7].Z, -0.2, 5e-3, "a tip");
+          Float3[] tangents = new Float3[160];
+          pose.Evaluate(null, default(Items), tangents);
+          Check.Near(tangents[3].Z, -1, 0.01, "it hangs");
           RenderView view = new RenderView { FirstStrand = 5, StrandCount = 2 };
           pose.Evaluate(view, two);
           Check.That(two[3].Z == points[43].Z, "some strands");

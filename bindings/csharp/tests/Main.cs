@@ -15,9 +15,9 @@ namespace Superhelix.Tests
       GroomTests.Folder = arguments[0];
       Action[] tests =
       {
-        Binding, SolverTests.Strands, SolverTests.Limits, SolverTests.Hosting, SolverTests.Roots, SolverTests.Shapes, SolverTests.Posing, SolverTests.Sampling, SolverTests.State,
+        Binding, SolverTests.Strands, SolverTests.Limits, SolverTests.Hosting, SolverTests.Roots, SolverTests.Targets, SolverTests.Shapes, SolverTests.Posing, SolverTests.Sampling, SolverTests.State,
         SolverTests.Callbacks, SolverTests.Lifetimes, SolverTests.NoGarbage, ContactTests.Bodies, ContactTests.Meshes, ContactTests.Overlaps,
-        ContactTests.Constraints, ContactTests.Haptics, ContactTests.Styles, GroomTests.Fits, GroomTests.Friction, GroomTests.Choices, GroomTests.Files, GroomTests.Scalps, GroomTests.Rendering,
+        ContactTests.Constraints, ContactTests.Haptics, ContactTests.RingCombsInTheHand, ContactTests.Styles, GroomTests.Fits, GroomTests.Friction, GroomTests.Choices, GroomTests.Files, GroomTests.Scalps, GroomTests.Rendering,
 #if SUPERHELIX_SPAN
         SolverTests.Spans,
 #endif

@@ -178,6 +178,35 @@ namespace Superhelix.Tests
       }
     }
 
+    internal static void Targets()
+    {
+      using (Solver hair = new Solver())
+      {
+        StrandId[] ids = Check.Hanging(hair, 2);
+        double[] distances = new double[2];
+        hair.TargetDistances(ids, distances);
+        Check.That(distances[0] == -1 && distances[1] == -1, "no targets yet");
+        // Hanging strands, drawn to the side.
+        Vec3[] curves = new Vec3[18];
+        for (int i = 0; i < 18; i++)
+          curves[i] = new Vec3(0.01 * (i / 9), 1e-4 * (i % 9) * (i % 9), -0.0249 * (i % 9));
+        TargetDef def = new TargetDef { Points = curves, CurveCount = 2, TimeConstant = 0.05 };
+        def.WeightPositions = new double[] { 0, 1 };
+        def.Weights = new double[] { 1, 1 };
+        def.StrandWeights = new double[] { 1, 0 };
+        hair.SetTargets(ids, def, 0.1);
+        for (int i = 0; i < 10; i++)
+          hair.Step(0.01);
+        hair.TargetDistances(ids, distances);
+        Check.That(distances[0] >= 0 && distances[0] < 2e-3 && distances[1] == -1, "one follows");
+        Check.Throws<ArgumentException>(() => hair.TargetDistances(ids, new double[1]), "distances holds 1");
+        hair.ClearTargets(ids);
+        hair.TargetDistances(ids, distances);
+        Check.That(distances[0] == -1, "let go");
+        Check.Fails(ErrorCode.InvalidArgument, () => hair.SetTargets(new[] { ids[0] }, def, 0.1));
+      }
+    }
+
     internal static void Shapes()
     {
       using (Solver hair = new Solver())
@@ -281,6 +310,13 @@ namespace Superhelix.Tests
           Check.That(vertices[i].Mark == 7 && frames[i].Origin.Z == packed[i].Z, "left alone");
         }
         Check.That(vertices[14].Velocity.X > 0, "velocities");
+        Vec3[] tangents = new Vec3[15];
+        hair.SampleStrands(ids, def, default(Items), tangents);
+        for (int i = 0; i < 15; i++)
+        {
+          Quat turn = frames[i].Rotation;
+          Check.Near(tangents[i].Z, 2 * (turn.X * turn.Z - turn.W * turn.Y), 1e-12, "tangents");
+        }
         Vec3[] ends = new Vec3[2];
         hair.SampleAt(ids[1], new[] { 0.0, 0.2 }, ends);
         Check.That(Check.Distance(ends[0], packed[5]) < 1e-12 && Check.Distance(ends[1], packed[9]) < 1e-12, "ends");

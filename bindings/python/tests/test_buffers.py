@@ -40,6 +40,15 @@ def test_frames_and_velocities_come_with_the_points(strands) -> None:
     np.testing.assert_array_equal(frames[..., :3], points)
     np.testing.assert_allclose(np.linalg.norm(frames[..., 3:], axis=-1), 1.0)
     np.testing.assert_array_equal(frames, strands.sample_frames(5))
+    x, y, z, w = np.moveaxis(frames[..., 3:], -1, 0)
+    tangents = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)], axis=-1)
+    np.testing.assert_allclose(strands.sample_tangents(5), tangents, atol=1e-12)
+    np.testing.assert_allclose(strands.sample_tangents(5, dtype=np.float32), tangents, atol=2e-6)
+    along = np.zeros((6, 5, 3))
+    strands.sample_strands(5, frames=along)
+    np.testing.assert_array_equal(along, strands.sample_tangents(5))
+    with pytest.raises(ValueError, match=r"frames: shape \(6, 5, 2\); \(..., 7 or 4 or 3\) expected"):
+        strands.sample_strands(5, frames=along[..., :2])
     np.testing.assert_array_equal(velocities, 0.0)
     np.testing.assert_array_equal(strands.sample_velocities(5), 0.0)
 

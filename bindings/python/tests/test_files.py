@@ -156,6 +156,11 @@ def test_render_hair_follows_its_guides(guides) -> None:
         np.testing.assert_allclose(wide[..., :2], points[5:15, :, :2], atol=1e-6)
         np.testing.assert_allclose(wide[..., 2], points[5:15, :, 2] - 1.0, atol=1e-6)
         np.testing.assert_allclose(np.linalg.norm(turned, axis=-1), 1.0, atol=1e-5)
+        tangents = np.zeros((40, 8, 3), np.float32)
+        pose.evaluate(frames=tangents)
+        x, y, z, w = np.moveaxis(turned, -1, 0)
+        np.testing.assert_allclose(tangents[5:15, :, 2], 2.0 * (x * z - w * y), atol=1e-5)
+        np.testing.assert_allclose(np.linalg.norm(tangents, axis=-1), 1.0, atol=1e-6)
         np.testing.assert_allclose(speeds, 0.0, atol=1e-6)
         first_guides, wisps = hair.wisps()
         assert first_guides[0] == 0

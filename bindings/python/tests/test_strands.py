@@ -150,6 +150,34 @@ def test_roots_move_over_time_or_at_once(solver) -> None:
     assert not any(solver.curvatures(one)[1].any() for one in solver.strand_ids())
 
 
+def test_strands_follow_targets(solver) -> None:
+    ids = solver.add_strands(hanging(3))
+    curves = solver.sample_strands(9).astype(np.float64)
+    curves[:, :, 1] += np.linspace(0.0, 0.02, 9) ** 1.5
+    assert (solver.target_distances() == -1).all()
+    solver.set_targets(curves[:2], ids[:2], weights=[(0, 1)], strand_weights=[1.0, 0.0], over_seconds=0.1)
+    for _ in range(10):
+        solver.step(0.01)
+    distances = solver.target_distances()
+    assert 0.0 <= distances[0] < 1e-4
+    assert (distances[1:] == -1).all()
+    # The same, curve by curve, from half-way on.
+    solver.set_targets(
+        curves[:2].reshape(-1, 3), ids[:2], point_counts=[9, 9], arclengths=np.tile(np.linspace(0.0, 0.1, 9), 2), weights=[(0.5, 0), (1, 1)], time_constant=0.02
+    )
+    assert (solver.target_distances(ids[:2]) > 1e-3).all()
+    solver.clear_targets()
+    assert (solver.target_distances() == -1).all()
+    with pytest.raises(shx.InvalidArgumentError, match=r"def\.curve_count"):
+        solver.set_targets(curves[:2], ids)
+    with pytest.raises(shx.InvalidArgumentError, match=r"def\.weights\[0\]"):
+        solver.set_targets(curves, ids, weights=[(0, 2)])
+    with pytest.raises(ValueError, match="weights: shape"):
+        solver.set_targets(curves, ids, weights=[0, 1])
+    with pytest.raises(ValueError, match="points: shape"):
+        solver.set_targets(curves[0], ids)
+
+
 def test_sampling_at_arclengths(solver) -> None:
     ids = solver.add_strands(hanging(1, length=0.2))
     points = solver.sample_at(ids[0], [0.0, 0.1, 0.2])

@@ -68,6 +68,44 @@ def test_ring_comb() -> None:
             shx.RingComb(shx.ToolDef(kind=shx.Tool.PLATES), shx.Frame())
 
 
+def test_ring_comb_in_the_hand() -> None:
+    """A ball in the hand, which hair without contact ignores, and a tooth along y from there on; both go along x."""
+    with shx.Solver() as solver, shx.Solver() as other:
+        hanging(solver)
+        held = solver.add_body(shx.BodyDef.sphere(1e-3, pose=shx.Frame(origin=(-0.01, -0.03, -0.03))))
+        finger = shx.ToolDef(kind=shx.Tool.FINGER, radius=0.001)
+        tooth = shx.Frame(origin=(-0.01, -0.03, -0.03), rotation=ALONG_Y)
+        with shx.Haptic(solver, held, shx.HapticDef(mode=shx.HapticMode.DIRECT)) as hand:
+            with pytest.raises(shx.InvalidIdError, match=r"bodies\[0\]"):
+                hand.add_ring_comb(other, finger, tooth)
+            with pytest.raises(shx.UnsupportedError, match="plates"):
+                hand.add_ring_comb(solver, shx.ToolDef(kind=shx.Tool.PLATES), tooth)
+            with pytest.raises(shx.InvalidArgumentError, match=r"def\.max_force"):
+                hand.add_ring_comb(solver, finger, tooth, shx.RingCombDef(max_force=0.0))
+            with pytest.raises(shx.InvalidArgumentError, match="index"):
+                hand.ring_comb_report(0)
+            assert hand.add_ring_comb(solver, finger, tooth) == 0
+            assert hand.add_ring_comb(solver, finger, tooth, ids=()) == 1
+            pulled = np.zeros(3)
+            for step in range(11):
+                x = -0.01 + 0.002 * step
+                felt = hand.update(shx.Frame(origin=(x, -0.03, -0.03)), (2.0, 0.0, 0.0, 0.0, 0.0, 0.0), dt=1e-3)
+                np.testing.assert_allclose(felt.state.contact_force, pulled, atol=1e-12)
+                hand.before_step(solver, 1e-3)
+                solver.step(1e-3)
+                hand.after_step(solver)
+                pulled = hand.ring_comb_report(0).force
+                frame = hand.ring_comb_frame(0)
+                np.testing.assert_allclose(frame[:3], felt.state.proxy.origin, atol=1e-12)
+                np.testing.assert_allclose(frame[3:], ALONG_Y, atol=0.01)
+            report = hand.ring_comb_report(0)
+            assert (report.held, report.caught, solver.constraint_count()) == (4, 0, 4)
+            assert report.force[0] < 0.0
+            assert hand.ring_comb_report(1).held == 0
+            hand.release_ring_combs(solver)
+            assert solver.constraint_count() == 0
+
+
 def test_hair_handle() -> None:
     h1 = shx.hair_handle("h1")
     np.testing.assert_allclose((h1.major_diameter, h1.bending_stiffness), (93.1e-6, 7.59e-9))

@@ -5,6 +5,7 @@
 //! - `commands/`: Commands of a file or two each.
 //! - `groom/`: A groom on the command line: its unit, statistics, material, and the strands made of it.
 //! - `picture/`: `superhelix picture`: contact sheets and animations of simulated frames.
+//! - `prepare/`: `superhelix prepare`: strands of a reconstruction in, a scene that can be simulated out.
 //! - `render/`: Render strands: from guides over time to files.
 //! - `run/`: `superhelix run`: a scene file in, a result file out.
 //! - `scene/`: A scene file: read, checked, and turned into what the solver is made from.
@@ -16,6 +17,7 @@
 mod commands;
 mod groom;
 mod picture;
+mod prepare;
 mod render;
 mod run;
 mod scene;
@@ -42,6 +44,7 @@ struct CommandLine {
 enum Command {
     Run(run::RunArguments),
     Simulate(Box<simulate::arguments::SimulateArguments>),
+    Prepare(Box<prepare::arguments::PrepareArguments>),
     Info(info::InfoArguments),
     Convert(convert::ConvertArguments),
     Lock(Box<lock::LockArguments>),
@@ -69,6 +72,7 @@ fn main() -> ExitCode {
     let outcome = match &command_line.command {
         Command::Run(arguments) => run::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Prepare(arguments) => prepare::run(arguments),
         Command::Info(arguments) => info::run(arguments),
         Command::Convert(arguments) => convert::run(arguments),
         Command::Lock(arguments) => lock::run(arguments),

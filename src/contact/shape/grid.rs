@@ -9,6 +9,7 @@ use super::mesh::{Mesh, Sides};
 use super::planes::{PlaneField, Planes};
 use super::surface::Surface;
 use crate::error::{Error, Result, check_finite, check_positive};
+use crate::math::lane::{Kernel, Lane};
 
 /// Most nodes of a grid: 2²⁷, half a gigabyte.
 pub const NODE_LIMIT: u64 = 1 << 27;
@@ -141,17 +142,23 @@ impl DistanceGrid {
     /// The surface as seen from a point: the interpolated distance and its direction of steepest growth, which has no jumps. None outside
     /// the grid, where the surface is farther than the band.
     pub fn closest(&self, point: Vector3<f64>) -> Option<Surface> {
-        let place = (point - self.low) / self.cell;
-        let x = Taps::new(place.x, self.counts[0])?;
-        let y = Taps::new(place.y, self.counts[1])?;
-        let z = Taps::new(place.z, self.counts[2])?;
-        let (distance, gradient) = self.interpolated([&x, &y, &z]);
+        let (distance, gradient) = f64::call(Interpolate { grid: self, point })?;
         let normal = gradient.try_normalize(0.0).unwrap_or_else(Vector3::x);
         Some(Surface::smooth(point - normal * distance, normal, distance))
     }
 
+    /// The value, and its slopes in cells; None outside the grid.
+    #[inline(always)]
+    fn interpolate(&self, point: &Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
+        let place = (point - self.low) / self.cell;
+        let x = Taps::new(place.x, self.counts[0])?;
+        let y = Taps::new(place.y, self.counts[1])?;
+        let z = Taps::new(place.z, self.counts[2])?;
+        Some(self.interpolated([&x, &y, &z]))
+    }
+
     /// The value and its slopes in cells: summed along y, then z, the four nodes of a row side by side, and last along x.
-    #[inline]
+    #[inline(always)]
     fn interpolated(&self, [x, y, z]: [&Taps; 3]) -> (f64, Vector3<f64>) {
         let (mut value, mut along_y, mut along_z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
         for k in 0..4 {
@@ -215,6 +222,20 @@ impl DistanceGrid {
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
         size_of_val::<[f32]>(&self.values) + self.planes.heap_bytes()
+    }
+}
+
+/// [`DistanceGrid::interpolate`], compiled for the machine's instructions.
+struct Interpolate<'a> {
+    grid: &'a DistanceGrid,
+    point: Vector3<f64>,
+}
+
+impl Kernel for Interpolate<'_> {
+    type Output = Option<(f64, Vector3<f64>)>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        self.grid.interpolate(&self.point)
     }
 }
 

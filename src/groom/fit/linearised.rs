@@ -321,7 +321,7 @@ fn motions<const D: usize>(axes: [usize; D], state: &State, index: usize) -> ([V
     (psi, jacobian)
 }
 
-/// What is downstream, moved to the left end, ρ_R = ρ + ψ×a = ρ − [a]×ψ, and through the freedoms.
+/// What is downstream, moved to the left end, `ρ_R = ρ + ψ×a = ρ − [a]×ψ`, and through the freedoms.
 fn through<const D: usize>(
     right: &Downstream,
     end: Vec3<f64>,

@@ -1,7 +1,7 @@
 //! Mirrors strands across a plane.
 //!
 //! With the reflection M and S = diag(1, 1, −1) the frame R becomes M R S, which is proper: n0 and n1 are mirrored, and n2 is
-//! reversed. R′ = R [κ]× then gives the curvatures −Sκ = (−κ0, −κ1, κ2): a curl winds the other way.
+//! reversed. `R′ = R [κ]×` then gives the curvatures −Sκ = (−κ0, −κ1, κ2): a curl winds the other way.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 

@@ -36,7 +36,7 @@ pub(super) struct Pull {
 pub(super) struct Obstacles<'a> {
     pub bodies: &'a [BodyAt<'a>],
     /// The first metres, which are exempt.
-    pub span: Span,
+    pub span: Span<'static>,
     /// The centreline's distance from the bodies' surfaces.
     pub distance: f64,
 }

@@ -11,7 +11,8 @@ use crate::math::lane::Precision;
 use crate::memory::recycled;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
-use crate::solver::strand::{Strand, root_after};
+use crate::rod::target::TargetAt;
+use crate::solver::strand::{Strand, drawn_by, root_after};
 use crate::solver::workers::WorkerSet;
 use crate::step::constrained_packs::AnyPack;
 use crate::step::constrained_step::{ConstrainedStep, running};
@@ -20,7 +21,7 @@ use crate::step::state::StrandState;
 use crate::step::{Setting, packs};
 
 /// The largest number of strands of a pack.
-const MAX_LANES: usize = 8;
+pub(super) const MAX_LANES: usize = 8;
 
 /// The packs of a substep; more may be kept for their memory.
 #[derive(Debug, Default)]
@@ -30,6 +31,8 @@ pub(super) struct Packs {
     /// Beginning strands, sorted by formula and pack key, then by iterations; the last number is the index among the
     /// constrained strands.
     order: Vec<(bool, PackKey, u32, u32)>,
+    /// Whether each pack holds coupled and solitary strands.
+    holds: Vec<[bool; 2]>,
     /// Memory for lists of packs.
     strand_work: Vec<Work<'static, &'static mut ConstrainedStrand>>,
     pair_work: Vec<Work<'static, Pair<'static>>>,
@@ -79,8 +82,9 @@ impl Packs {
         self.order.clear();
         for (place, (strand, constrained)) in super::ConstrainedSubstep::pairs(scene.strands, constrained).enumerate() {
             if begins(constrained) {
-                strand.begin_root_move(h);
-                let kind = PackKey::of(&strand.model, &strand.state, setting.options.integrator, h);
+                strand.begin_moves(h);
+                let kind =
+                    PackKey::of(&strand.model, &strand.state, drawn_by(&strand.target).is_some(), setting.options.integrator, h);
                 self.order.push((constrained.first_order, kind, strand.last.iterations, place as u32));
             }
         }
@@ -124,26 +128,14 @@ impl Packs {
         asked: impl Fn(&ConstrainedStrand) -> bool + Sync,
     ) {
         let linearise = |Work { pack, members }: &mut Work<&mut ConstrainedStrand>| {
-            let mut halves = [FirstHalf::None; MAX_LANES];
-            for (lane, constrained) in running(members) {
-                if asked(constrained) && !meter.is_halted() {
-                    halves[lane] = constrained.hold(&islands[constrained.island as usize]);
-                    meter.spend(constrained.half_work());
-                }
-            }
-            if !halves.contains(&FirstHalf::ToDo) {
-                return;
-            }
-            let mut lanes = [const { None }; MAX_LANES];
-            for (lane, constrained) in running(members).filter(|(lane, _)| halves[*lane] != FirstHalf::None) {
-                lanes[lane] = Some(&mut constrained.step);
-            }
-            pack.linearise(&mut lanes);
+            let members = running(members).filter(|(_, constrained)| asked(constrained) && !meter.is_halted());
+            let members = members.map(|(lane, constrained)| (lane, &islands[constrained.island as usize], &mut **constrained));
+            first_half(pack, members, meter);
         };
         self.with_strands(strands, |work| workers.for_each(work, |work, _| linearise(work)));
     }
 
-    /// The second half, of strands whose islands go on.
+    /// The second half of those that are `asked`.
     pub fn advance(
         &mut self,
         strands: &mut [ConstrainedStrand],
@@ -151,28 +143,37 @@ impl Packs {
         setting: &Setting,
         workers: &WorkerSet,
         meter: &Meter,
+        asked: impl Fn(&ConstrainedStrand) -> bool + Sync,
     ) {
         let advance = |Work { pack, members }: &mut Work<&mut ConstrainedStrand>| {
-            let mut goes = [false; MAX_LANES];
-            for (lane, constrained) in running(members) {
-                let island = &islands[constrained.island as usize];
-                // (Without a solved contact problem there are no forces.)
-                if !island.done && !meter.is_halted() {
-                    goes[lane] = constrained.advances(island);
-                    meter.spend(constrained.half_work());
-                }
-            }
-            if !goes.contains(&true) {
-                return;
-            }
-            let mut lanes: [Option<&mut ConstrainedStep>; MAX_LANES] = [const { None }; MAX_LANES];
-            for (lane, constrained) in running(members).filter(|(lane, _)| goes[*lane]) {
-                lanes[lane] = Some(&mut constrained.step);
-            }
-            pack.advance(setting, &mut lanes);
-            running(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, constrained)| constrained.advanced());
+            // (Without a solved contact problem there are no forces.)
+            let at_work = running(members).filter(|(_, constrained)| asked(constrained) && !meter.is_halted());
+            let at_work = at_work.map(|(lane, constrained)| (lane, &islands[constrained.island as usize], &mut **constrained));
+            let advanced = second_half(pack, setting, at_work, meter);
+            running(members).filter(|(lane, _)| advanced[*lane]).for_each(|(_, constrained)| constrained.advanced());
         };
         self.with_strands(strands, |work| workers.for_each(work, |work, _| advance(work)));
+    }
+
+    /// All packs.
+    pub fn all(&mut self) -> &mut [AnyPack] {
+        &mut self.packs[..self.count]
+    }
+
+    /// Where solitary and coupled strands share a pack, these iterate at different times: what was done ahead for one would be
+    /// overwritten for another, and is done again.
+    pub fn forget_mixed_look_ahead(&mut self, strands: &mut [ConstrainedStrand]) {
+        if !strands.iter().any(|constrained| constrained.looked_ahead) {
+            return;
+        }
+        self.holds.clear();
+        self.holds.resize(self.count, [false; 2]);
+        for constrained in &*strands {
+            self.holds[constrained.pack as usize][usize::from(constrained.is_solitary)] = true;
+        }
+        for constrained in strands {
+            constrained.looked_ahead &= self.holds[constrained.pack as usize] != [true; 2];
+        }
     }
 
     /// The pack of a strand.
@@ -181,8 +182,51 @@ impl Packs {
     }
 }
 
+/// The first half of an iteration of a pack's strands, by their lanes, each with its island.
+pub(super) fn first_half<'a>(
+    pack: &mut AnyPack,
+    members: impl Iterator<Item = (usize, &'a Island, &'a mut ConstrainedStrand)>,
+    meter: &Meter,
+) {
+    let mut lanes: [Option<&mut ConstrainedStep>; MAX_LANES] = [const { None }; MAX_LANES];
+    let mut is_to_do = false;
+    for (lane, island, constrained) in members {
+        let half = constrained.hold(island);
+        meter.spend(constrained.half_work());
+        is_to_do |= half == FirstHalf::ToDo;
+        if half != FirstHalf::None {
+            lanes[lane] = Some(&mut constrained.step);
+        }
+    }
+    if is_to_do {
+        pack.linearise(&mut lanes);
+    }
+}
+
+/// The second half. True for the lanes that have advanced: [`ConstrainedStrand::advanced`] follows for these.
+pub(super) fn second_half<'a>(
+    pack: &mut AnyPack,
+    setting: &Setting,
+    members: impl Iterator<Item = (usize, &'a Island, &'a mut ConstrainedStrand)>,
+    meter: &Meter,
+) -> [bool; MAX_LANES] {
+    let mut lanes: [Option<&mut ConstrainedStep>; MAX_LANES] = [const { None }; MAX_LANES];
+    for (lane, island, constrained) in members {
+        let goes = constrained.advances(island);
+        meter.spend(constrained.half_work());
+        if goes {
+            lanes[lane] = Some(&mut constrained.step);
+        }
+    }
+    let advanced = std::array::from_fn(|lane| lanes[lane].is_some());
+    if advanced.contains(&true) {
+        pack.advance(setting, &mut lanes);
+    }
+    advanced
+}
+
 /// Runs something on the packs of `items`, whose `place` is a pack and a lane, in a list that keeps its `memory`.
-fn with_work<'a, M, S>(
+pub(super) fn with_work<'a, M, S>(
     packs: &'a mut [AnyPack],
     memory: &mut Vec<S>,
     items: impl Iterator<Item = M>,
@@ -241,5 +285,8 @@ impl Pack for Present<'_> {
     fn root_at(&self, lane: usize, seconds: f64) -> Frame {
         let strand = self.strand(lane);
         root_after(&strand.root_move, &strand.state.root, seconds)
+    }
+    fn target(&self, lane: usize) -> Option<TargetAt<'_>> {
+        drawn_by(&self.strand(lane).target)
     }
 }

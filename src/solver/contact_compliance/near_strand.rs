@@ -14,7 +14,7 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::solver::bodies::ContactPartner;
 use crate::solver::constraints::{ConstraintStatus, material_point_at};
-use crate::solver::strand::{Strand, root_after};
+use crate::solver::strand::{Strand, drawn_by, root_after};
 use crate::step::Setting;
 use crate::step::constrained_single::ConstrainedSingle;
 use crate::step::constrained_step::ConstrainedStep;
@@ -141,7 +141,8 @@ impl NearStrand {
         let before = (strand.state.root.origin, &elements[..]);
         let start = state.root;
         let root_at = |elapsed: f64| root_after(&strand.root_move, &start, elapsed);
-        alone.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
+        let one = One { model: &strand.model, state, root_at: &root_at, target: drawn_by(&strand.target) };
+        alone.begin(&one, setting, seconds, true);
         alone.linearise(material_points, forces);
         // (The first linear model has no tension.)
         for _ in 0..MAX_ITERATIONS {

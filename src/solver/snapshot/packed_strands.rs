@@ -46,7 +46,8 @@ mod flag {
     pub const FROM_PAST: u32 = 1 << 16;
     pub const TO_ROOT: u32 = 1 << 17;
     pub const TO_PAST: u32 = 1 << 18;
-    pub const ALL: u32 = (1 << 19) - 1;
+    pub const HAS_TARGET: u32 = 1 << 19;
+    pub const ALL: u32 = (1 << 20) - 1;
 }
 
 /// Bits of numbers: equal only where a restored number is the same to the bit.
@@ -111,6 +112,7 @@ fn flags_of(strand: &Strand, before: Option<&Strand>) -> u32 {
     set(flag::HAS_AUTHORED, strand.authored.is_some());
     set(flag::HAS_PERMITTED_OVERLAP, strand.permitted_overlap.is_some());
     set(flag::HAS_DIVERGENCE, strand.divergence.is_some() || strand.frozen.is_some());
+    set(flag::HAS_TARGET, strand.target.is_some());
     if let Some((motion, _)) = strand.root_move.as_deref() {
         flags |= repeats(&motion.from, &state.root, past_root(strand), flag::FROM_ROOT, flag::FROM_PAST);
         flags |= repeats(&motion.to, &state.root, past_root(strand), flag::TO_ROOT, flag::TO_PAST);
@@ -184,6 +186,9 @@ impl Writer {
         }
         if has(flag::HAS_PERMITTED_OVERLAP) {
             self.permitted_overlap(strand.permitted_overlap.as_deref());
+        }
+        if let Some(target) = strand.target.as_deref() {
+            self.target(target);
         }
     }
 }
@@ -268,6 +273,7 @@ impl Reader<'_> {
             (false, false) => None,
         };
         let permitted_overlap = if has(flag::HAS_PERMITTED_OVERLAP) { self.permitted_overlap()? } else { None };
+        let target = if has(flag::HAS_TARGET) { Some(Box::new(self.target()?)) } else { None };
         let mut strand = Strand {
             model,
             state,
@@ -283,6 +289,7 @@ impl Reader<'_> {
             permitted_overlap,
             divergence,
             frozen: None,
+            target,
         };
         strand.shrink();
         strand.frozen = known.map(|known| Box::new(Frozen::new(&strand, known)));

@@ -41,6 +41,49 @@ fn update(s: &mut Scene, change: impl FnOnce(&mut [f64; 7], &mut [f64; 6], &mut 
     })
 }
 
+/// A comb's teeth.
+fn teeth() -> shx_tool_def {
+    let mut def = std::mem::MaybeUninit::uninit();
+    // SAFETY: room for one definition, which the call fills.
+    unsafe {
+        assert_eq!(shx_tool_def_init(def.as_mut_ptr(), size_of::<shx_tool_def>()), SHX_OK);
+        def.assume_init()
+    }
+}
+
+/// Gives an object a ring comb of these teeth.
+fn add(s: &mut Scene, tool: &shx_tool_def) -> shx_result {
+    // SAFETY: all that is pointed to is there.
+    with(s, |s, haptic| unsafe {
+        shx_haptic_add_ring_comb(haptic, s.solver, tool, s.frames.as_ptr(), null(), s.ids.as_ptr(), 2, s.out())
+    })
+}
+
+/// The same, with options of which some may be wrong.
+fn add_with(s: &mut Scene, change: impl FnOnce(&mut shx_ring_comb_def)) -> shx_result {
+    let (tool, mut def) = (teeth(), std::mem::MaybeUninit::uninit());
+    // SAFETY: room for one definition, which the call fills; all that is pointed to is there.
+    with(s, |s, haptic| unsafe {
+        assert_eq!(shx_ring_comb_def_init(def.as_mut_ptr(), size_of::<shx_ring_comb_def>()), SHX_OK);
+        let mut def = def.assume_init();
+        change(&mut def);
+        let (solver, ids) = (s.solver, s.ids.as_ptr());
+        shx_haptic_add_ring_comb(haptic, solver, &raw const tool, s.frames.as_ptr(), &raw const def, ids, 2, s.out())
+    })
+}
+
+/// Calls with an object that has one ring comb.
+fn with_comb(s: &mut Scene, call: impl FnOnce(&mut Scene, *mut shx_haptic) -> shx_result) -> shx_result {
+    let (tool, mut index) = (teeth(), 7);
+    // SAFETY: all that is pointed to is there.
+    with(s, |s, haptic| unsafe {
+        let (solver, ids) = (s.solver, s.ids.as_ptr());
+        let added = shx_haptic_add_ring_comb(haptic, solver, &raw const tool, s.frames.as_ptr(), null(), ids, 2, &raw mut index);
+        assert_eq!((added, index), (SHX_OK, 0));
+        call(s, haptic)
+    })
+}
+
 #[rustfmt::skip] // a table: one line a case
 pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_haptic_def_init", "def", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_haptic_def_init(null_mut(), size_of::<shx_haptic_def>()));
@@ -96,4 +139,39 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_haptic_update", "dt", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| update(s, |_, _, dt| *dt = f64::NAN));
     case!(cases, "shx_haptic_update", "out_wrench", "null", SHX_ERROR_NULL_ARGUMENT, |s| with(s, |s, haptic| { let velocity = [0.0; 6]; shx_haptic_update(haptic, s.frames.as_ptr(), velocity.as_ptr(), 1e-3, null_mut(), null_mut()) }));
     case!(cases, "shx_haptic_update", "state", "of another size", SHX_ERROR_STRUCT_SIZE, |s| with(s, |s, haptic| { let (velocity, mut state) = ([0.0; 6], [0_u64; 32]); shx_haptic_update(haptic, s.frames.as_ptr(), velocity.as_ptr(), 1e-3, s.out(), state.as_mut_ptr().cast()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "haptic", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let tool = teeth(); shx_haptic_add_ring_comb(null_mut(), s.solver, &raw const tool, s.frames.as_ptr(), null(), s.ids.as_ptr(), 2, s.out()) });
+    case!(cases, "shx_haptic_add_ring_comb", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, null(), &raw const tool, s.frames.as_ptr(), null(), s.ids.as_ptr(), 2, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "solver", "another", SHX_ERROR_INVALID_ID, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, s.other, &raw const tool, s.frames.as_ptr(), null(), s.foreign.as_ptr(), 1, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "tool", "null", SHX_ERROR_NULL_ARGUMENT, |s| with(s, |s, haptic| { shx_haptic_add_ring_comb(haptic, s.solver, null(), s.frames.as_ptr(), null(), s.ids.as_ptr(), 2, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "tool", "of another size", SHX_ERROR_STRUCT_SIZE, |s| add(s, &shx_tool_def { struct_size: 3, ..teeth() }));
+    case!(cases, "shx_haptic_add_ring_comb", "tool", "kind 0", SHX_ERROR_INVALID_ARGUMENT, |s| add(s, &shx_tool_def { kind: 0, ..teeth() }));
+    case!(cases, "shx_haptic_add_ring_comb", "tool", "plates", SHX_ERROR_UNSUPPORTED, |s| add(s, &shx_tool_def { kind: SHX_TOOL_PLATES, ..teeth() }));
+    case!(cases, "shx_haptic_add_ring_comb", "tool", "length f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| add(s, &shx_tool_def { length: f64::NAN, ..teeth() }));
+    case!(cases, "shx_haptic_add_ring_comb", "frame", "null", SHX_ERROR_NULL_ARGUMENT, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, null(), null(), s.ids.as_ptr(), 2, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "frame", "rotation zero", SHX_ERROR_INVALID_ARGUMENT, |s| with(s, |s, haptic| { let tool = teeth(); let frame = shx_frame { origin: [0.0; 3], rotation: [0.0; 4] }; shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, &raw const frame, null(), s.ids.as_ptr(), 2, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "def", "of another size", SHX_ERROR_STRUCT_SIZE, |s| add_with(s, |def| def.struct_size = 3));
+    case!(cases, "shx_haptic_add_ring_comb", "def", "reserved0 1", SHX_ERROR_INVALID_ARGUMENT, |s| add_with(s, |def| def.reserved0 = 1));
+    case!(cases, "shx_haptic_add_ring_comb", "def", "friction -1", SHX_ERROR_INVALID_ARGUMENT, |s| add_with(s, |def| def.friction = -1.0));
+    case!(cases, "shx_haptic_add_ring_comb", "def", "max_force 0", SHX_ERROR_INVALID_ARGUMENT, |s| add_with(s, |def| def.max_force = 0.0));
+    case!(cases, "shx_haptic_add_ring_comb", "def", "exempt_length f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| add_with(s, |def| def.exempt_length = f64::INFINITY));
+    case!(cases, "shx_haptic_add_ring_comb", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, s.frames.as_ptr(), null(), null(), 2, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "ids", "stale", SHX_ERROR_INVALID_ID, |s| with(s, |s, haptic| { let tool = teeth(); let ids = [s.ids[0], s.stale[0]]; shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, s.frames.as_ptr(), null(), ids.as_ptr(), 2, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, s.frames.as_ptr(), null(), s.foreign.as_ptr(), 1, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, s.frames.as_ptr(), null(), s.ids.as_ptr(), usize::MAX, s.out()) }));
+    case!(cases, "shx_haptic_add_ring_comb", "out_index", "null", SHX_ERROR_NULL_ARGUMENT, |s| with(s, |s, haptic| { let tool = teeth(); shx_haptic_add_ring_comb(haptic, s.solver, &raw const tool, s.frames.as_ptr(), null(), s.ids.as_ptr(), 2, null_mut()) }));
+    case!(cases, "shx_haptic_ring_comb_report", "haptic", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_haptic_ring_comb_report(null(), 0, s.out()));
+    case!(cases, "shx_haptic_ring_comb_report", "index", "without combs", SHX_ERROR_INVALID_ARGUMENT, |s| with(s, |s, haptic| shx_haptic_ring_comb_report(haptic, 0, s.out())));
+    case!(cases, "shx_haptic_ring_comb_report", "index", "as many as combs", SHX_ERROR_INVALID_ARGUMENT, |s| with_comb(s, |s, haptic| shx_haptic_ring_comb_report(haptic, 1, s.out())));
+    case!(cases, "shx_haptic_ring_comb_report", "index", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| with_comb(s, |s, haptic| shx_haptic_ring_comb_report(haptic, usize::MAX, s.out())));
+    case!(cases, "shx_haptic_ring_comb_report", "out_report", "null", SHX_ERROR_NULL_ARGUMENT, |s| with_comb(s, |_, haptic| shx_haptic_ring_comb_report(haptic, 0, null_mut())));
+    case!(cases, "shx_haptic_ring_comb_report", "out_report", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| with_comb(s, |s, haptic| shx_haptic_ring_comb_report(haptic, 0, s.out::<u8>().wrapping_add(1).cast())));
+    case!(cases, "shx_haptic_ring_comb_frame", "haptic", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_haptic_ring_comb_frame(null(), 0, s.out()));
+    case!(cases, "shx_haptic_ring_comb_frame", "index", "without combs", SHX_ERROR_INVALID_ARGUMENT, |s| with(s, |s, haptic| shx_haptic_ring_comb_frame(haptic, 0, s.out())));
+    case!(cases, "shx_haptic_ring_comb_frame", "index", "as many as combs", SHX_ERROR_INVALID_ARGUMENT, |s| with_comb(s, |s, haptic| shx_haptic_ring_comb_frame(haptic, 1, s.out())));
+    case!(cases, "shx_haptic_ring_comb_frame", "index", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| with_comb(s, |s, haptic| shx_haptic_ring_comb_frame(haptic, usize::MAX, s.out())));
+    case!(cases, "shx_haptic_ring_comb_frame", "out_frame", "null", SHX_ERROR_NULL_ARGUMENT, |s| with_comb(s, |_, haptic| shx_haptic_ring_comb_frame(haptic, 0, null_mut())));
+    case!(cases, "shx_haptic_ring_comb_frame", "out_frame", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| with_comb(s, |s, haptic| shx_haptic_ring_comb_frame(haptic, 0, s.out::<u8>().wrapping_add(1).cast())));
+    case!(cases, "shx_haptic_release_ring_combs", "haptic", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_haptic_release_ring_combs(null_mut(), s.solver));
+    case!(cases, "shx_haptic_release_ring_combs", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| with_comb(s, |_, haptic| shx_haptic_release_ring_combs(haptic, null_mut())));
+    case!(cases, "shx_haptic_release_ring_combs", "solver", "another", SHX_ERROR_INVALID_ID, |s| with_comb(s, |s, haptic| shx_haptic_release_ring_combs(haptic, s.other)));
 }

@@ -34,6 +34,7 @@ mod state;
 mod strands;
 mod styling;
 mod suggest;
+mod targets;
 mod wisp;
 
 use std::collections::BTreeSet;
@@ -60,6 +61,7 @@ use superhelix::internals::capi::hair_handle::*;
 use superhelix::internals::capi::hair_type::*;
 use superhelix::internals::capi::haptic::*;
 use superhelix::internals::capi::haptic_def::*;
+use superhelix::internals::capi::haptic_ring_comb::*;
 use superhelix::internals::capi::level_of_detail::*;
 use superhelix::internals::capi::materials::*;
 use superhelix::internals::capi::overlaps::*;
@@ -85,6 +87,7 @@ use superhelix::internals::capi::strands::*;
 use superhelix::internals::capi::styling::*;
 use superhelix::internals::capi::styling_tool::*;
 use superhelix::internals::capi::suggest::*;
+use superhelix::internals::capi::targets::*;
 use superhelix::internals::capi::types::*;
 use superhelix::internals::capi::wisp::*;
 
@@ -191,6 +194,7 @@ fn table() -> Vec<Case> {
         state::cases,
         strands::cases,
         roots::cases,
+        targets::cases,
         shape::cases,
         settle::cases,
         restyling::cases,

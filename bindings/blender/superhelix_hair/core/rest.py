@@ -88,6 +88,8 @@ class FrameInputs:
     to_local: Numbers = field(default_factory=lambda: np.eye(4))
     #: Wind, m/s.
     wind: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    #: Points of rigged curves that the curves follow, world space, m, curve by curve; None: they follow none.
+    targets: Numbers | None = None
 
 
 @dataclass
@@ -98,6 +100,8 @@ class Rest:
     point_counts: npt.NDArray[np.uint32]
     colliders: list[Collider]
     inputs: FrameInputs
+    #: The number of points of each rigged curve; None where there are none.
+    target_counts: npt.NDArray[np.uint32] | None = None
 
     def __post_init__(self) -> None:
         self.points = np.ascontiguousarray(self.points, dtype=np.float64)
@@ -110,12 +114,30 @@ class Rest:
             raise ValueError(f"carriers: shape {self.inputs.carriers.shape}; ({len(self.point_counts)}, 7) expected")
         if not np.all(np.isfinite(self.points)):
             raise ValueError("points: some are not finite")
+        if (self.target_counts is None) != (self.inputs.targets is None):
+            raise ValueError("targets: points and their numbers, or neither, expected")
+        if self.target_counts is not None:
+            self.target_counts = np.ascontiguousarray(self.target_counts, dtype=np.uint32)
+            if len(self.target_counts) != len(self.point_counts):
+                raise ValueError(f"rigged curves: {len(self.target_counts)}; {len(self.point_counts)} expected, one for each simulated curve")
+            if np.any(self.target_counts < 2):
+                raise ValueError("rigged curves: one has a single point")
+            self.check_targets(self.inputs)
+
+    def check_targets(self, inputs: FrameInputs) -> None:
+        """Raises ValueError if the rigged curves of a frame are others than at the first."""
+        count = 0 if self.target_counts is None else int(self.target_counts.sum())
+        found = 0 if inputs.targets is None else len(inputs.targets)
+        if found != count:
+            raise ValueError(f"rigged curves: {found} points, where the first frame has {count}")
 
     def digest(self) -> str:
         """A hash of everything that is here."""
         total = hashlib.sha256()
         for array in (self.points, self.point_counts, self.inputs.carriers, self.inputs.to_local, *self.inputs.bodies):
             total.update(np.ascontiguousarray(array).tobytes())
+        if self.target_counts is not None and self.inputs.targets is not None:
+            total.update(self.target_counts.tobytes() + np.ascontiguousarray(self.inputs.targets).tobytes())
         for body in self.colliders:
             total.update(np.ascontiguousarray(body.vertices).tobytes() + np.ascontiguousarray(body.triangles).tobytes())
             total.update(f"{body.name}|{body.motion}|{body.sides}|{body.cell}|{body.thickness}|{body.depth}|{body.friction}".encode())

@@ -34,6 +34,7 @@ class Rig:
         rod = settings.rod()
         contact = settings.contact(rod)
         self.rest, self.frame_time = rest, frame_time
+        self._weights, self._follow_time = ((0.0, settings.follow_root), (1.0, settings.follow_tip)), settings.follow_time
         chosen = self._choose(rest, settings, frame_time)
         self.substeps = settings.substeps or (2 if chosen is None else chosen.substeps)
         elements = settings.element_count or (10 if chosen is None else chosen.element_count)
@@ -83,6 +84,17 @@ class Rig:
         solver.set_wind(rest.inputs.wind)
         self._roots = relative(rest.inputs.carriers[self.indices], solver.root_frames(self.strands))
         self._place_points()
+        self._follow(rest.inputs, 0.0)
+
+    def _follow(self, inputs: FrameInputs, over_seconds: float) -> None:
+        """Sends the strands' targets to where the rigged curves are."""
+        counts, points = self.rest.target_counts, inputs.targets
+        if counts is None or points is None:
+            return
+        if len(self.skipped):
+            points = points[np.isin(np.repeat(np.arange(len(counts)), counts), self.indices)]
+            counts = counts[self.indices]
+        self.solver.set_targets(points, self.strands, point_counts=counts, weights=self._weights, time_constant=self._follow_time, over_seconds=over_seconds)
 
     def _place_points(self) -> None:
         """Where on its strand each drawn point is, and the points of curves that are not simulated in the axes of what carries them."""
@@ -137,6 +149,7 @@ class Rig:
         """Raises ValueError if the inputs of a frame do not belong to this rig."""
         if inputs.carriers.shape != self.rest.inputs.carriers.shape:
             raise ValueError(f"carriers: shape {inputs.carriers.shape}; {self.rest.inputs.carriers.shape} expected: the number of curves has changed")
+        self.rest.check_targets(inputs)
         if len(inputs.bodies) != len(self.bodies):
             raise ValueError(f"colliders: {len(inputs.bodies)}, where the first frame has {len(self.bodies)}")
         for body, now in zip(self.rest.colliders, inputs.bodies, strict=True):
@@ -154,6 +167,7 @@ class Rig:
             else:
                 self.solver.set_body_vertices(body, now, over_seconds)
         self.solver.set_wind(inputs.wind)
+        self._follow(inputs, over_seconds)
 
     def step(self, inputs: FrameInputs, cancel: shx.Cancel | None = None) -> shx.StepReport:
         """Advances by one frame, at whose end the surroundings are as inputs say."""

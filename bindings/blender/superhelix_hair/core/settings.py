@@ -48,6 +48,10 @@ class HairSettings:
     #: Factor on the default friction of hair on colliders.
     friction: float = 1.0
     gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)
+    #: How firmly strands follow rigged curves at root and tip, 0 (free) to 1 (on the curve), and the time constant at 0.5, s.
+    follow_root: float = 1.0
+    follow_tip: float = 0.0
+    follow_time: float = 0.1
     #: Threads; the results do not depend on them.
     worker_count: int = 1
 
@@ -58,6 +62,11 @@ class HairSettings:
             value = getattr(self, name)
             if not low <= value <= high:
                 raise ValueError(f"{name}: {value}; {low} to {high} expected")
+        for name in ("follow_root", "follow_tip"):
+            if not 0.0 <= getattr(self, name) <= 1.0:
+                raise ValueError(f"{name}: {getattr(self, name)}; 0 to 1 expected")
+        if not 1e-4 <= self.follow_time <= 100.0:
+            raise ValueError(f"follow_time: {self.follow_time}; 0.0001 to 100 s expected")
         if not 0.0 <= self.friction <= 100.0:
             raise ValueError(f"friction: {self.friction}; 0 to 100 expected")
 

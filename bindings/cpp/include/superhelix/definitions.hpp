@@ -437,6 +437,84 @@ struct strand_def : shx_strand_def {
   strand_def &with_radius(double value) { return with_radius({value, value}); }
 };
 
+// Curves to which strands are drawn. Fill it with shx_target_def_init, then set curve_count and points. The library reads the arrays during
+// the call only.
+struct target_def : shx_target_def {
+  target_def() : shx_target_def{} { detail::prepared(shx_target_def_init(this, sizeof(shx_target_def))); }
+
+  // Number of keys of the weight; at least 1 where weights is set. Default 0.
+  target_def &with_weight_count(std::uint32_t value) {
+    detail::agree("target_def.weight_count", value, weight_count, weight_positions != nullptr || weights != nullptr);
+    weight_count = value;
+    return *this;
+  }
+
+  // Number of curves: one per id. Default 0: set it.
+  target_def &with_curve_count(std::size_t value) {
+    detail::agree("target_def.curve_count", value, curve_count, point_counts != nullptr || strand_weights != nullptr);
+    curve_count = value;
+    return *this;
+  }
+
+  // Points of all curves, curve by curve, root first, m, world: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is ignored). At
+  // least two per curve; straight in between.
+  target_def &with_points(const kept_input &value) {
+    detail::agree("target_def.points", value.count, points.count, arclengths != nullptr);
+    points = value;
+    return *this;
+  }
+
+  // Number of points of each curve: curve_count numbers that sum to points.count. Null (default): all curves have equally many.
+  target_def &with_point_counts(kept<const std::uint32_t> values) {
+    detail::agree("target_def.point_counts", values.size(), curve_count, strand_weights != nullptr);
+    curve_count = static_cast<std::size_t>(values.size());
+    point_counts = values.data();
+    return *this;
+  }
+
+  // Arclength of the strand's point that belongs to each point of the curves, m; 0 or above, strictly ascending along each curve. Parts of
+  // a strand before its first and beyond its last are free. Null (default): in proportion to the curve's length, so that the tip belongs to
+  // the last point.
+  target_def &with_arclengths(kept<const double> values) {
+    detail::agree("target_def.arclengths", values.size(), points.count, true);
+    arclengths = values.data();
+    return *this;
+  }
+
+  // Positions of the keys on every strand, from 0 (root) to 1 (tip), strictly ascending; weight_count numbers. Default null: set it with
+  // weights.
+  target_def &with_weight_positions(kept<const double> values) {
+    detail::agree("target_def.weight_positions", values.size(), weight_count, weights != nullptr);
+    weight_count = static_cast<std::uint32_t>(values.size());
+    weight_positions = values.data();
+    return *this;
+  }
+
+  // Weight at each key, 0 (free) to 1 (on the curve); linear between keys, constant beyond them. Default null: from 1 at the root to 0 at
+  // the tip.
+  target_def &with_weights(kept<const double> values) {
+    detail::agree("target_def.weights", values.size(), weight_count, weight_positions != nullptr);
+    weight_count = static_cast<std::uint32_t>(values.size());
+    weights = values.data();
+    return *this;
+  }
+
+  // Factor of each strand's weights, 0 to 1: curve_count numbers. Null (default): 1.
+  target_def &with_strand_weights(kept<const double> values) {
+    detail::agree("target_def.strand_weights", values.size(), curve_count, point_counts != nullptr);
+    curve_count = static_cast<std::size_t>(values.size());
+    strand_weights = values.data();
+    return *this;
+  }
+
+  // Time constant with which a point of weight 0.5 comes to its place, s; above 0. Weight w has the time constant time_constant * (1 - w) /
+  // w. Default 0.1.
+  target_def &with_time_constant(double value) {
+    time_constant = value;
+    return *this;
+  }
+};
+
 // Options of shx_solver_settle. Fill it with shx_settle_def_init, then change what you need.
 struct settle_def : shx_settle_def {
   settle_def() : shx_settle_def{} { detail::prepared(shx_settle_def_init(this, sizeof(shx_settle_def))); }
@@ -665,8 +743,8 @@ struct sample_def : shx_sample_def {
   // What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The three axes must be at right
   // angles and of one length, that of your unit: a rotation with a scale, or a reflection with a scale for left-handed hosts. Positions
   // become origin-relative positions times these axes, plus translation; velocities the same without translation; radii are scaled; frames
-  // turn along. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0). Centimetres with y up,
-  // from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+  // turn along and tangents stay of unit length. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default
+  // (1, 0, 0). Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
   sample_def &with_x_axis(const vec3 &value) {
     detail::copy(value, x_axis);
     return *this;

@@ -7,6 +7,7 @@
 #include "solver.hpp"
 
 #include <array>
+#include <cstddef>
 
 namespace superhelix {
 inline namespace SUPERHELIX_WAY {
@@ -45,6 +46,30 @@ class haptic {
     const shx_result code = shx_haptic_update(get(), &pose, twist.data(), dt, out.data(), state);
     return detail::finish(code, haptic_wrench{{out[0], out[1], out[2]}, {out[3], out[4], out[5]}});
   }
+
+  // Gives the hand a ring comb with the teeth of a tool (any but plates), which is at a frame now; its index. From the next step on it goes with the bodies,
+  // catches those of ids that its teeth run into, and the hand feels what they pull with. Bodies where the teeth are push the strands off them: give these
+  // strands no contact, or let the tool have a body only where it is held.
+  returns<std::size_t> add_ring_comb(const solver &hair, const tool_def &tool, const frame &at, span<const strand_id> ids,
+                                     const ring_comb_def &def = ring_comb_def()) {
+    std::size_t index = 0;
+    const shx_result code = shx_haptic_add_ring_comb(get(), hair.get(), &tool, &at, &def, ids.data(), ids.size(), &index);
+    return detail::finish(code, index);
+  }
+  // What the last step did to a ring comb.
+  returns<ring_comb_report> get_ring_comb_report(std::size_t index) const {
+    ring_comb_report report{};
+    const shx_result code = shx_haptic_ring_comb_report(get(), index, &report);
+    return detail::finish(code, report);
+  }
+  // Where a ring comb is.
+  returns<frame> ring_comb_frame(std::size_t index) const {
+    frame at{};
+    const shx_result code = shx_haptic_ring_comb_frame(get(), index, &at);
+    return detail::finish(code, at);
+  }
+  // Lets go of all strands on the teeth of ring combs. Call it before this ends: what holds them belongs to the solver.
+  returns<void> release_ring_combs(solver &hair) { return detail::finish(shx_haptic_release_ring_combs(get(), hair.get())); }
 
   shx_haptic *get() const noexcept { return handle_.get(); }
   explicit operator bool() const noexcept { return static_cast<bool>(handle_); }

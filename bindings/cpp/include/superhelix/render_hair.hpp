@@ -21,7 +21,8 @@ class render_pose {
   // Where the guides are, in the number and order of the hair.
   returns<void> set_guides(const render_guides &guides) { return detail::finish(shx_render_pose_set_guides(get(), &guides)); }
 
-  // Evaluates all render strands: item i * points_per_strand + j of each output is point j of strand i.
+  // Evaluates all render strands: item i * points_per_strand + j of each output is point j of strand i. frames: quaternions in four floats, or unit
+  // tangents in three.
   returns<void> evaluate(const output &points, const output &frames = {}, const output &velocities = {}) const {
     return detail::finish(
         shx_render_pose_evaluate(get(), nullptr, detail::wanted(points), detail::wanted(frames), detail::wanted(velocities)));

@@ -14,6 +14,7 @@
 #include "solver/shapes.hpp"
 #include "solver/strands.hpp"
 #include "solver/styling.hpp"
+#include "solver/targets.hpp"
 
 namespace superhelix {
 inline namespace SUPERHELIX_WAY {
@@ -22,6 +23,7 @@ inline namespace SUPERHELIX_WAY {
 // const must be alone. One that was moved from only takes another.
 class solver : public solver_strands<solver>,
                public solver_roots<solver>,
+               public solver_targets<solver>,
                public solver_shapes<solver>,
                public solver_posing<solver>,
                public solver_sampling<solver>,

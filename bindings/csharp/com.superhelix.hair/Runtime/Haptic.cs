@@ -51,5 +51,39 @@ namespace Superhelix
       force = new Vec3(wrench[0], wrench[1], wrench[2]);
       torque = new Vec3(wrench[3], wrench[4], wrench[5]);
     }
+
+    /// <summary>Gives the hand a ring comb with the teeth of a tool (any but plates), which is at a frame now; its index. From the next step on it goes
+    /// with the bodies, catches those of ids that its teeth run into, and the hand feels what they pull with. Bodies where the teeth are push the strands
+    /// off them: give these strands no contact, or let the tool have a body only where it is held. def: RingCombDef.Default where left out.</summary>
+    public int AddRingComb(Solver solver, ToolDef tool, Frame at, In<StrandId> ids, RingCombDef? def = null)
+    {
+      RingCombDef given = def ?? RingCombDef.Default;
+      UIntPtr index;
+      fixed (StrandId* i = &ids.Pin())
+        Error.Check(Native.shx_haptic_add_ring_comb(Handle, solver.Handle, &tool, &at, &given, i, ids.Size, &index));
+      return (int)index;
+    }
+
+    /// <summary>What the last step did to a ring comb.</summary>
+    public RingCombReport RingCombReport(int index)
+    {
+      RingCombReport report;
+      Error.Check(Native.shx_haptic_ring_comb_report(Handle, (UIntPtr)(uint)index, &report));
+      return report;
+    }
+
+    /// <summary>Where a ring comb is.</summary>
+    public Frame RingCombFrame(int index)
+    {
+      Frame at;
+      Error.Check(Native.shx_haptic_ring_comb_frame(Handle, (UIntPtr)(uint)index, &at));
+      return at;
+    }
+
+    /// <summary>Lets go of all strands on the teeth of ring combs. Call it before Dispose: what holds them belongs to the solver.</summary>
+    public void ReleaseRingCombs(Solver solver)
+    {
+      Error.Check(Native.shx_haptic_release_ring_combs(Handle, solver.Handle));
+    }
   }
 }

@@ -117,7 +117,7 @@ namespace Superhelix
 
     /// <summary>
     /// Evaluates render strands: item i * PointsPerStrand + j of each output is point j of strand view.FirstStrand + i. view null: all strands. Outputs that
-    /// are not wanted are left out.
+    /// are not wanted are left out. frames: quaternions in four floats, or unit tangents in three.
     /// </summary>
     public void Evaluate(RenderView view, Items points, Items frames = default(Items), Items velocities = default(Items))
     {

@@ -365,6 +365,25 @@ class shx_strand_def(ctypes.Structure):
     ]
 
 
+class shx_target_def(ctypes.Structure):
+    """128 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("weight_count", ctypes.c_uint32),
+        ("curve_count", ctypes.c_size_t),
+        ("points", shx_input),
+        ("point_counts", ctypes.c_void_p),
+        ("arclengths", ctypes.c_void_p),
+        ("weight_positions", ctypes.c_void_p),
+        ("weights", ctypes.c_void_p),
+        ("strand_weights", ctypes.c_void_p),
+        ("time_constant", ctypes.c_double),
+        ("reserved", ctypes.c_uint64 * 4),
+    ]
+
+
 class shx_settle_def(ctypes.Structure):
     """24 bytes."""
 
@@ -1386,6 +1405,10 @@ class Functions:
     shx_solver_set_root_frames: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_teleport_roots: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_get_root_frames: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_target_def_init: Callable[[Pointer, int], int]
+    shx_solver_set_targets: Callable[[Pointer, Pointer, int, Pointer, float], int]
+    shx_solver_clear_targets: Callable[[Pointer, Pointer, int], int]
+    shx_solver_target_distances: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_set_natural_curvatures: Callable[[Pointer, shx_strand_id, Pointer, int], int]
     shx_solver_get_natural_curvatures: Callable[[Pointer, shx_strand_id, Pointer, int], int]
     shx_solver_get_curvatures: Callable[[Pointer, shx_strand_id, Pointer, Pointer, int], int]
@@ -1492,6 +1515,10 @@ class Functions:
     shx_ring_comb_before_step: Callable[[Pointer, Pointer, Pointer, int, Pointer, float], int]
     shx_ring_comb_after_step: Callable[[Pointer, Pointer, Pointer], int]
     shx_ring_comb_release: Callable[[Pointer, Pointer], int]
+    shx_haptic_add_ring_comb: Callable[[Pointer, Pointer, Pointer, Pointer, Pointer, Pointer, int, Pointer], int]
+    shx_haptic_ring_comb_report: Callable[[Pointer, int, Pointer], int]
+    shx_haptic_ring_comb_frame: Callable[[Pointer, int, Pointer], int]
+    shx_haptic_release_ring_combs: Callable[[Pointer, Pointer], int]
     shx_solver_snapshot: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_snapshot_def_init: Callable[[Pointer, int], int]
     shx_solver_snapshot_with: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
@@ -1639,6 +1666,13 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_solver_teleport_roots": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_get_root_frames": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_target_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_set_targets": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_double],
+    ),
+    "shx_solver_clear_targets": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_target_distances": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_set_natural_curvatures": (ctypes.c_int32, [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_get_natural_curvatures": (ctypes.c_int32, [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_get_curvatures": (
@@ -1878,6 +1912,13 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_ring_comb_after_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_ring_comb_release": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_haptic_add_ring_comb": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
+    "shx_haptic_ring_comb_report": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_haptic_ring_comb_frame": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_haptic_release_ring_combs": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_snapshot": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_snapshot_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_snapshot_with": (
@@ -2012,6 +2053,7 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_step_limits: "shx_step_limits_init",
     shx_step_report: "shx_step_report_init",
     shx_strand_def: "shx_strand_def_init",
+    shx_target_def: "shx_target_def_init",
     shx_settle_def: "shx_settle_def_init",
     shx_settle_report: "shx_settle_report_init",
     shx_material: "shx_material_init",

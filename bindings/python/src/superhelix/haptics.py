@@ -8,14 +8,17 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from superhelix import _capi
 from superhelix._buffers import address, frame_rows
 from superhelix._handle import Owner, made
 from superhelix._library import functions
 from superhelix._record import reference
 from superhelix.errors import check
-from superhelix.ids import BodyId, BodyIds
-from superhelix.records import Frame, HapticDef, HapticState
+from superhelix.ids import BodyId, BodyIds, StrandIds
+from superhelix.records import Frame, HapticDef, HapticState, RingCombDef, ToolDef
 from superhelix.solver import Solver
+from superhelix.solver.styling import one_frame
+from superhelix.styling import RingCombReport
 
 
 class HapticUpdate(NamedTuple):
@@ -64,3 +67,32 @@ class Haptic(Owner):
         wrench, state = np.empty(6), HapticState()
         check(functions.shx_haptic_update(self._handle, address(frame), address(twist), dt, address(wrench), ctypes.byref(state._c)))
         return HapticUpdate(wrench[:3], wrench[3:], state)
+
+    def add_ring_comb(
+        self, solver: Solver, tool: ToolDef, frame: npt.ArrayLike | Frame, definition: RingCombDef | None = None, ids: StrandIds | None = None
+    ) -> int:
+        """Gives the hand a ring comb with the teeth of a tool (any but plates), which is at a frame now, and returns its index. From the next step on
+        it goes with the bodies, catches those strands (None: all there are now) that its teeth run into, and the hand feels what they pull with.
+        Bodies where the teeth are push the strands off them: give these strands no contact, or let the tool have a body only where it is held.
+        """
+        at, bits, index = one_frame("frame", frame), solver._strands(ids), ctypes.c_size_t()
+        teeth, options = reference("tool", tool, ToolDef), reference("definition", definition, RingCombDef)
+        add = functions.shx_haptic_add_ring_comb
+        check(add(self._handle, solver._handle, teeth, address(at), options, address(bits), len(bits), ctypes.byref(index)))
+        return index.value
+
+    def ring_comb_report(self, index: int) -> RingCombReport:
+        """Returns what the last step did to a ring comb in the hand."""
+        report = _capi.shx_ring_comb_report()
+        check(functions.shx_haptic_ring_comb_report(self._handle, index, ctypes.byref(report)))
+        return RingCombReport._of(report)
+
+    def ring_comb_frame(self, index: int) -> npt.NDArray[np.float64]:
+        """Returns where a ring comb in the hand is: origin, m, and quaternion x, y, z, w."""
+        frame = np.empty(7)
+        check(functions.shx_haptic_ring_comb_frame(self._handle, index, address(frame)))
+        return frame
+
+    def release_ring_combs(self, solver: Solver) -> None:
+        """Lets go of all strands on the teeth of the hand's ring combs. Call it before close: what holds them belongs to the solver."""
+        check(functions.shx_haptic_release_ring_combs(self._handle, solver._handle))

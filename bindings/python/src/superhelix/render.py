@@ -236,9 +236,9 @@ class RenderPose(Owner):
         velocities: npt.NDArray[Any] | None = None,
     ) -> npt.NDArray[Any]:
         """Evaluates render strands: returns points, m, (strands, points, 3) float32. out: an array to write them to instead, float32, items of three
-        numbers, or four, the fourth the radius. frames: an array for quaternions x, y, z, w (float32); velocities: an array for velocities, m/s
-        (float32). solver: strands stay out of its bodies. previous_pose: the pose interval seconds earlier, for velocities. roots: the current
-        roots (m, or frames; None: they move with the roots of their guides). transform: a matrix to your space, as in Solver.sample_strands.
+        numbers, or four, the fourth the radius. frames: an array for quaternions x, y, z, w, or for unit tangents (float32); velocities: an array for
+        velocities, m/s (float32). solver: strands stay out of its bodies. previous_pose: the pose interval seconds earlier, for velocities. roots: the
+        current roots (m, or frames; None: they move with the roots of their guides). transform: a matrix to your space, as in Solver.sample_strands.
         """
         count = max(self.hair.strand_count - first_strand, 0) if strand_count is None else whole("strand_count", strand_count, 0, 2**63)
         view = _capi.shx_render_view()
@@ -259,7 +259,7 @@ class RenderPose(Owner):
         if out is None:
             out = np.empty((count, self.hair.points_per_strand, 3), dtype=np.float32)
         outputs = [Output("out", out, (3, 4), total)]
-        outputs += [Output("frames", frames, (4,), total)] if frames is not None else []
+        outputs += [Output("frames", frames, (4, 3), total)] if frames is not None else []
         outputs += [Output("velocities", velocities, (3,), total)] if velocities is not None else []
         references = [ctypes.byref(output.view) for output in outputs]
         points = references.pop(0)

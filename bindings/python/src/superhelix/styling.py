@@ -96,6 +96,10 @@ class RingCombReport(NamedTuple):
     force: npt.NDArray[np.float64]
     torque: npt.NDArray[np.float64]
 
+    @classmethod
+    def _of(cls, report: _capi.shx_ring_comb_report) -> RingCombReport:
+        return cls(report.held, report.caught, report.combed, report.let_go, np.array(report.force), np.array(report.torque))
+
 
 class RingComb(Owner):
     """A comb whose teeth hold the strands that they run into, each in a ring with friction, until it has been combed to the tip or is let go."""
@@ -120,8 +124,7 @@ class RingComb(Owner):
         """Call it after the step: lets go of strands that are combed to the tip or pulled too hard."""
         report = _capi.shx_ring_comb_report()
         check(functions.shx_ring_comb_after_step(self._handle, solver._handle, ctypes.byref(report)))
-        wrench = np.array(report.force), np.array(report.torque)
-        return RingCombReport(report.held, report.caught, report.combed, report.let_go, *wrench)
+        return RingCombReport._of(report)
 
     def release(self, solver: Solver) -> None:
         """Lets go of all strands."""

@@ -61,7 +61,7 @@ pub fn run(arguments: &PoseArguments) -> Result<(), Failure> {
 }
 
 /// Keys of a strand that stand in place of others, or from which what is written here was made.
-const REPLACED: [&str; 5] = ["elements", "length", "groom", "hair", "follicles"];
+const REPLACED: [&str; 6] = ["elements", "length", "groom", "hair", "follicles", "maps"];
 
 /// Writes the document with the scene's strands.
 fn write(path: &Path, mut document: Value, scene: &Scene) -> Result<(), Failure> {
@@ -90,6 +90,15 @@ fn one(given: &[Value], strand: &SceneStrand) -> Value {
     });
     if strand.image_of.is_some() {
         map.remove("root_motion");
+    }
+    for (name, value) in [("friction", strand.mapped.friction), ("wisp_radius", strand.mapped.wisp_radius)] {
+        if let (Some(value), false) = (value, map.get("contact") == Some(&Value::Bool(false))) {
+            let contact = map.entry("contact").or_insert(Value::Null);
+            if !contact.is_object() {
+                *contact = json!({});
+            }
+            contact[name] = json!(value);
+        }
     }
     let Value::Object(made) = fit_scene::one(&strand.definition) else { return Value::Object(map) };
     // Where a root moves its motion says where it is.

@@ -112,6 +112,11 @@ impl MaterialArguments {
         Ok(GroomHair { material, curliness: self.curliness, variation })
     }
 
+    /// The seed of what is random.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
     /// The flag, if there is one, by which a groom's natural shapes become others.
     pub fn reshaping(&self) -> Option<&'static str> {
         if self.curliness != 0.0 {

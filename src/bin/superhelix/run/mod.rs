@@ -30,6 +30,7 @@ use crate::run::things::Things;
 use crate::scene;
 use crate::scene::pose::Moves;
 use crate::scene::rest_arguments::RestArguments;
+use crate::scene::targets::DrawnStrands;
 use crate::scene::{Scene, timeline};
 use crate::shell::atomic_file::AtomicFile;
 use crate::shell::failure::Failure;
@@ -108,11 +109,13 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let mut out = AtomicFile::create(&arguments.out)?;
     let snapshot = arguments.snapshot.as_deref().map(|path| Ok::<_, Failure>((path, SnapshotFile::create(path)?))).transpose()?;
     let mut files = RunFiles::create(arguments.cache.as_deref(), &mut scene, path, &solver, &things.strands)?;
+    let drawn = scene.targets.iter().map(|target| DrawnStrands::new(target, &scene.strands, &things.strands, &solver));
+    let drawn = drawn.collect::<superhelix::Result<Vec<_>>>().map_err(complain)?;
     if let Some(resumed) = &resumed {
         resumed.restore(&mut solver)?;
         things = Things::of(&solver);
     }
-    let result = simulate(&scene, &mut solver, &things, &mut files, states.clone(), arguments.quiet)?;
+    let result = simulate(&scene, &drawn, &mut solver, &things, &mut files, states.clone(), arguments.quiet)?;
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
     serde_json::to_writer(&mut out, &result).map_err(|error| unwritable(&error))?;
     out.write_all(b"\n").map_err(|error| unwritable(&error))?;
@@ -161,6 +164,7 @@ impl<'a, Id: Copy, Motion: Moves> Moving<'a, Id, Motion> {
 
 fn simulate(
     scene: &Scene,
+    drawn: &[DrawnStrands],
     solver: &mut Solver,
     things: &Things,
     files: &mut RunFiles,
@@ -184,12 +188,18 @@ fn simulate(
         Ok(result.record(time, solver)?)
     };
     if *states.start() == 0 {
+        for strands in drawn {
+            strands.begin(solver, &scene.strands, &things.strands)?;
+        }
         record(times[0], solver)?;
     }
     for pair in times.windows(2) {
         for (end, length) in timeline::steps_between(pair[0], pair[1], scene.time_step) {
             if let Some((ids, frames)) = roots.at(end) {
                 solver.set_root_frames(ids, frames, length)?;
+            }
+            for strands in drawn {
+                strands.send(solver, &scene.strands, &things.strands, end, length)?;
             }
             if let Some((ids, frames)) = bodies.at(end) {
                 solver.set_body_frames(ids, frames, length)?;

@@ -1,12 +1,15 @@
 //! `attachments`: what holds strands, as constraints.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 use superhelix::splines::PoseSpline;
 use superhelix::{ConstraintDef, Frame, Friction, Hold, Solver, StrandId};
 
 use super::SceneStrand;
 use super::contact::read_friction;
-use super::pose::{read_frame, read_motion, read_pose};
+use super::motions::Motions;
+use super::pose::{read_frame, read_pose};
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// Something that holds a strand.
@@ -17,7 +20,7 @@ pub struct Attachment {
     kind: Kind,
     target: Target,
     /// How its target moves, if it does.
-    pub motion: Option<PoseSpline>,
+    pub motion: Option<Arc<PoseSpline>>,
     compliance: f64,
 }
 
@@ -41,11 +44,11 @@ enum Target {
 }
 
 /// Reads the list.
-pub fn read(list: &Node, strands: &[SceneStrand]) -> Result<Vec<Attachment>, Complaint> {
-    list.list()?.iter().map(|item| read_one(item, strands)).collect()
+pub fn read(list: &Node, strands: &[SceneStrand], motions: &Motions) -> Result<Vec<Attachment>, Complaint> {
+    list.list()?.iter().map(|item| read_one(item, strands, motions)).collect()
 }
 
-fn read_one(node: &Node, strands: &[SceneStrand]) -> Result<Attachment, Complaint> {
+fn read_one(node: &Node, strands: &[SceneStrand], motions: &Motions) -> Result<Attachment, Complaint> {
     const COMMON: [&str; 4] = ["strand", "arclength", "kind", "compliance"];
     const KINDS: [(&str, Kind); 5] = [
         ("point", Kind::Point),
@@ -83,7 +86,7 @@ fn read_one(node: &Node, strands: &[SceneStrand]) -> Result<Attachment, Complain
     if let (Kind::Slide(_), true, Some(node)) = (kind, compliance != 0.0, entries.get("compliance")) {
         return Err(node.complain("0 where kind is \"slide\""));
     }
-    let motion = entries.get_unless_null("motion").map(read_motion).transpose()?;
+    let motion = entries.get_unless_null("motion").map(|motion| motions.named_or_own(motion)).transpose()?;
     let target = match &motion {
         Some(motion) => Target::Frame(motion.at(0.0)),
         None => read_target(&entries)?,

@@ -9,9 +9,10 @@ use superhelix::shapes::Sides;
 use superhelix::splines::PoseSpline;
 use superhelix::{BodyDef, Error, Shape};
 
-use super::contact::read_bits;
 use super::deformation::Deformation;
-use super::pose::{read_motion, read_pose};
+use super::groups::Groups;
+use super::motions::Motions;
+use super::pose::read_pose;
 use crate::shell::json::{Complaint, Entries, Node};
 use crate::surfaces::surface::Surface;
 
@@ -23,7 +24,7 @@ pub struct Collider {
     /// Whether the scene says what its friction is.
     pub states_friction: bool,
     /// Its motion, if it moves.
-    pub motion: Option<PoseSpline>,
+    pub motion: Option<Arc<PoseSpline>>,
     /// How its vertices move, if they do.
     pub deformation: Option<Deformation>,
     /// For pictures, in the body's axes; meshes have their own triangles.
@@ -57,11 +58,11 @@ const SHAPES: [(&str, Kind); 8] = [
 ];
 
 /// Reads the list.
-pub fn read(list: &Node, directory: &Path) -> Result<Vec<Collider>, Complaint> {
-    list.list()?.iter().map(|collider| read_one(collider, directory)).collect()
+pub fn read(list: &Node, motions: &Motions, groups: &Groups, directory: &Path) -> Result<Vec<Collider>, Complaint> {
+    list.list()?.iter().map(|collider| read_one(collider, motions, groups, directory)).collect()
 }
 
-fn read_one(node: &Node, directory: &Path) -> Result<Collider, Complaint> {
+fn read_one(node: &Node, motions: &Motions, groups: &Groups, directory: &Path) -> Result<Collider, Complaint> {
     // The shape first: it says which keys are known.
     let Some(shape) = node.value.as_object().map(|map| map.get("shape")) else { return Err(node.complain("an object")) };
     let Some(value) = shape else { return Err(Complaint::new(format!("{}.shape", node.key), "is missing")) };
@@ -83,12 +84,12 @@ fn read_one(node: &Node, directory: &Path) -> Result<Collider, Complaint> {
     let friction = entries.get("friction").map(Node::not_negative).transpose()?;
     definition.friction = friction.unwrap_or(definition.friction);
     definition.viscous_friction = entries.or("viscous_friction", definition.viscous_friction, Node::not_negative)?;
-    definition.group = entries.or("group", definition.group, read_bits)?;
-    definition.mask = entries.or("mask", definition.mask, read_bits)?;
+    definition.group = entries.or("group", definition.group, |node| groups.bits(node))?;
+    definition.mask = entries.or("mask", definition.mask, |node| groups.bits(node))?;
     if let Some(pose) = entries.get("pose") {
         definition.pose = read_pose(pose)?;
     }
-    let motion = entries.get_unless_null("motion").map(read_motion).transpose()?;
+    let motion = entries.get_unless_null("motion").map(|motion| motions.named_or_own(motion)).transpose()?;
     if let Some(motion) = &motion {
         definition.pose = motion.at(0.0);
     }
@@ -106,6 +107,11 @@ fn read_one(node: &Node, directory: &Path) -> Result<Collider, Complaint> {
         }
     }
     Ok(Collider { definition, states_friction: friction.is_some(), motion, deformation, surface })
+}
+
+/// Index of a vertex.
+fn index(node: &Node) -> Result<u32, Complaint> {
+    Ok(node.whole(0..=u64::from(u32::MAX))? as u32)
 }
 
 fn scale(entries: &Entries) -> Result<f64, Complaint> {
@@ -249,7 +255,7 @@ fn read_triangles(node: &Node) -> Result<Vec<[u32; 3]>, Complaint> {
     let of = |item: &Node| {
         let corners = item.list()?;
         let [a, b, c] = &corners[..] else { return Err(item.complain("three indices of vertices, from 0")) };
-        Ok([read_bits(a)?, read_bits(b)?, read_bits(c)?])
+        Ok([index(a)?, index(b)?, index(c)?])
     };
     node.list()?.iter().map(of).collect()
 }

@@ -4,6 +4,8 @@ use superhelix::{ContactModel, ContactOptions, Friction, StrandContact};
 
 use super::SceneStrand;
 use super::colliders::Collider;
+use super::groups::Groups;
+use super::maps::MappedContact;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// The models by their names in a scene and on the command line.
@@ -65,7 +67,7 @@ pub struct Touching {
 const COMMON: [&str; 6] = ["radius", "friction", "viscous_friction", "exempt_length", "group", "mask"];
 
 /// Reads `contact` and `hair_contact`.
-pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
+pub fn read(scene: &Entries, groups: &Groups) -> Result<(ContactOptions, Touching), Complaint> {
     let mut options = ContactOptions::default();
     let mut common = Given::default();
     let mut allow_overlaps = false;
@@ -95,7 +97,7 @@ pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
         options.max_sweeps = entries.or("max_sweeps", options.max_sweeps, |node| Ok(node.whole(1..=1_000_000)? as u32))?;
         allow_overlaps = entries.or("allow_overlaps", false, Node::truth)?;
         if let Some(strands) = entries.get("strands") {
-            common = read_given(strands, &COMMON)?;
+            common = read_given(strands, &COMMON, groups)?;
         }
     }
     if let Some(hair) = scene.get("hair_contact") {
@@ -113,7 +115,7 @@ pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
 }
 
 /// Reads a strand's own `contact`: values, or false.
-pub fn read_of_strand(strand: &Node) -> Result<OfStrand, Complaint> {
+pub fn read_of_strand(strand: &Node, groups: &Groups) -> Result<OfStrand, Complaint> {
     // Whether the strand has other keys than these was looked at before.
     let Some(value) = strand.value.get("contact") else { return Ok(OfStrand::Touches(Given::default())) };
     let node = Node { key: format!("{}.contact", strand.key), value };
@@ -122,17 +124,18 @@ pub fn read_of_strand(strand: &Node) -> Result<OfStrand, Complaint> {
         Some(false) => Ok(OfStrand::Nothing),
         None if value.is_null() => Ok(OfStrand::Touches(Given::default())),
         None if value.is_object() => {
-            Ok(OfStrand::Touches(read_given(&node, &[&COMMON[..], &["wisp_radius", "hair_friction"]].concat())?))
+            let known = [&COMMON[..], &["wisp_radius", "hair_friction"]].concat();
+            Ok(OfStrand::Touches(read_given(&node, &known, groups)?))
         }
         None => Err(node.complain("true, false, null, or an object")),
     }
 }
 
-fn read_given(node: &Node, known: &[&str]) -> Result<Given, Complaint> {
+fn read_given(node: &Node, known: &[&str], groups: &Groups) -> Result<Given, Complaint> {
     let entries = node.object(known)?;
     let length = |name: &str| entries.get(name).map(Node::not_negative).transpose();
     let friction = |name: &str| entries.get(name).map(read_friction).transpose();
-    let bits = |name: &str| entries.get(name).map(read_bits).transpose();
+    let bits = |name: &str| entries.get(name).map(|node| groups.bits(node)).transpose();
     Ok(Given {
         radius: length("radius")?,
         wisp_radius: length("wisp_radius")?,
@@ -143,11 +146,6 @@ fn read_given(node: &Node, known: &[&str]) -> Result<Given, Complaint> {
         group: bits("group")?,
         mask: bits("mask")?,
     })
-}
-
-/// Groups, or those that are touched: a bit each.
-pub fn read_bits(node: &Node) -> Result<u32, Complaint> {
-    Ok(node.whole(0..=u64::from(u32::MAX))? as u32)
 }
 
 /// One coefficient, or one along and one against the scales.
@@ -174,7 +172,9 @@ impl Touching {
         let stated = colliders.iter().any(|collider| collider.states_friction);
         for (index, (strand, given)) in strands.iter_mut().zip(given).enumerate() {
             let OfStrand::Touches(own) = given else { continue };
-            let values = own.or(self.common);
+            let MappedContact { friction, wisp_radius } = strand.mapped;
+            let mapped = Given { friction: friction.map(Friction::uniform), wisp_radius, ..Given::default() };
+            let values = mapped.or(own).or(self.common);
             if let (true, None, Some(other)) =
                 (stated, values.friction, colliders.iter().position(|collider| !collider.states_friction))
             {

@@ -8,6 +8,7 @@ use superhelix::io::Curves;
 use superhelix::{Frame, GroomOptions, MAX_ELEMENTS, Material, Result as Outcome, SolverOptions, StrandDef, Wisp};
 
 use super::colliders::{file_complaint, path_of};
+use super::maps::{MappedContact, Maps};
 use super::pose::read_pose;
 use super::words::in_words_of_the_scene;
 use crate::groom::unit;
@@ -24,8 +25,14 @@ fn read_wisp(node: &Node) -> Result<Wisp, Complaint> {
     Ok(wisp)
 }
 
-/// Reads `groom`: the strands, wisps of hairs of `material`, that hang, or are drawn, as the file's curves under the gravity of `options`.
-pub fn read(node: &Node, material: Material, options: &SolverOptions, directory: &Path) -> Result<Vec<StrandDef>, Complaint> {
+/// Reads `groom`: the strands, wisps of such hairs, or what `maps` say of them, that hang, or are drawn, as the file's curves under the gravity of `options`.
+pub fn read(
+    node: &Node,
+    hair: Material,
+    maps: Option<&Maps>,
+    options: &SolverOptions,
+    directory: &Path,
+) -> Result<Vec<(StrandDef, MappedContact)>, Complaint> {
     let groom = node.object(&["file", "metres_per_unit", "pose", "every", "elements", "tolerance", "natural", "wisp"])?;
     let file = groom.require("file")?;
     let curves = Curves::read(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
@@ -40,7 +47,7 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
     let shapes = [("sag_free", NaturalShape::SagFree), ("as_drawn", NaturalShape::AsDrawn)];
     let natural = groom.or("natural", NaturalShape::SagFree, |node| node.choice(&shapes))?;
     let wisp = groom.or("wisp", Wisp::default(), read_wisp)?;
-    let material = wisp.material(&material).map_err(in_words_of_the_scene)?;
+    let material = wisp.material(&hair).map_err(in_words_of_the_scene)?;
     let margin = wisp.margin().filter(|_| natural == NaturalShape::SagFree);
 
     let polylines = unit::drawn(&curves, every, scale);
@@ -57,7 +64,10 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
     let strand = |(DrawnCurve { index, .. }, fit): (&DrawnCurve, Outcome<Fit>)| {
         let made = fit.and_then(|fit| {
             let root = pose.compose(&fit.root);
-            recipe.definition(*index, Fit { root, ..fit }).map(|(definition, _)| definition)
+            let mapped = maps.map(|maps| maps.at(&root.origin)).unwrap_or_default();
+            let recipe = GroomOptions { material: wisp.material(&mapped.material(hair))?, ..recipe };
+            let (definition, _) = recipe.definition(*index, Fit { root, ..fit })?;
+            Ok((definition, mapped.contact()))
         });
         made.map_err(|because| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value)))
     };

@@ -8,7 +8,10 @@
 //! - `deformation.rs`: A mesh whose vertices move: samples in time, straight and even between them, held before the first and after the last.
 //! - `follicles.rs`: `follicles` of a strand: places on a mesh, at each of which one such strand stands.
 //! - `groom.rs`: `groom` of a strand: a file of curves, in whose place stands a strand for each of them, fitted.
+//! - `groups.rs`: `groups`: names for the groups of what touches, a bit each.
 //! - `hair.rs`: `hair` of a strand: a measured kind, sliders and variation, from which what the strand does not say itself is taken.
+//! - `maps.rs`: `maps` of a strand: parameters that vary from root to root, as they are painted on a mesh or listed for its vertices.
+//! - `motions.rs`: `motions`: poses over time that have a name, so that roots, colliders and targets share them.
 //! - `options.rs`: The keys of a scene that say how it is stepped.
 //! - `outputs.rs`: `output`: what a scene asks to be written.
 //! - `pose.rs`: Poses and motions, of roots, colliders and targets.
@@ -17,6 +20,7 @@
 //! - `render_hair.rs`: `render_hair`: strands to be drawn, which follow those of the scene and are written as it runs.
 //! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
 //! - `strands.rs`: `strands`: what each is made from, and how its root moves.
+//! - `targets.rs`: `targets`: curves to which strands are drawn, over time or as the strands start.
 //! - `timeline.rs`: When states are written and which steps lead there.
 //! - `words.rs`: The solver's complaints in the words of a scene.
 //! - `written.rs`: Strands as a scene file.
@@ -27,7 +31,10 @@ pub mod contact;
 mod deformation;
 mod follicles;
 mod groom;
+mod groups;
 mod hair;
+mod maps;
+mod motions;
 pub mod options;
 pub mod outputs;
 pub mod pose;
@@ -36,6 +43,7 @@ pub mod posing;
 pub mod render_hair;
 pub mod rest_arguments;
 mod strands;
+pub mod targets;
 pub mod timeline;
 mod words;
 pub mod written;
@@ -52,11 +60,14 @@ use crate::shell::json;
 use crate::shell::json::{Complaint, Node};
 use attachments::Attachment;
 use colliders::Collider;
+use groups::Groups;
+use motions::Motions;
 pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
 pub use outputs::{Output, Request};
 pub use posed::apply as do_posing;
 use render_hair::SceneRenderHair;
 pub use strands::SceneStrand;
+use targets::SceneTarget;
 pub use words::in_words_of_the_scene;
 
 /// A scene that has been checked.
@@ -76,6 +87,8 @@ pub struct Scene {
     pub colliders: Vec<Collider>,
     /// What holds them.
     pub attachments: Vec<Attachment>,
+    /// What draws them.
+    pub targets: Vec<SceneTarget>,
     /// What strands overlap at the start is allowed.
     pub allow_overlaps: bool,
     /// What to write.
@@ -132,8 +145,11 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         "strands",
         "colliders",
         "attachments",
+        "targets",
         "hair_contact",
         "contact",
+        "groups",
+        "motions",
         "posing",
         "samples",
         "output",
@@ -156,17 +172,21 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         )));
     }
 
-    let (contact, touching) = contact::read(&scene)?;
+    let groups = Groups::read(&scene)?;
+    let (contact, touching) = contact::read(&scene, &groups)?;
     let options = options::read(&scene, contact)?;
+    let motions = scene.or("motions", Motions::default(), Motions::read)?;
     let mut strands = Vec::new();
     let mut given = Vec::new();
     for (item, strand) in scene.require("strands")?.list()?.iter().enumerate() {
-        strands.extend(strands::read(strand, item, &options, directory)?);
-        given.resize(strands.len(), contact::read_of_strand(strand)?);
+        strands.extend(strands::read(strand, item, &options, &motions, directory)?);
+        given.resize(strands.len(), contact::read_of_strand(strand, &groups)?);
     }
-    let colliders = scene.or("colliders", Vec::new(), |list| colliders::read(list, directory))?;
+    let colliders = scene.or("colliders", Vec::new(), |list| colliders::read(list, &motions, &groups, directory))?;
     touching.give(&mut strands, given, &colliders)?;
-    let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands))?;
+    let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands, &motions))?;
+    let targets = scene.or("targets", Vec::new(), |list| targets::read(list, &strands, directory))?;
+    targets.iter().for_each(|target| target.place(&mut strands));
     let (outputs, samples) = outputs::read(&scene)?;
     let posing = scene.or("posing", Vec::new(), posing::read)?;
     let wanted = scene.get_unless_null("render_hair");
@@ -178,6 +198,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         strands,
         colliders,
         attachments,
+        targets,
         allow_overlaps: touching.allow_overlaps,
         outputs,
         samples,

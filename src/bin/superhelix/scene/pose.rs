@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use superhelix::Frame;
 use superhelix::splines::PoseSpline;
 
+use super::motions::Motions;
 use super::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Entries, Node};
 
@@ -40,9 +41,9 @@ pub trait Moves {
     fn at(&self, time: f64) -> Frame;
 }
 
-impl Moves for PoseSpline {
+impl Moves for Arc<PoseSpline> {
     fn at(&self, time: f64) -> Frame {
-        self.at(time)
+        self.as_ref().at(time)
     }
 }
 
@@ -71,20 +72,16 @@ impl Moves for RootMotion {
 }
 
 /// A root's motion: that of a frame, and where the root is in it.
-pub fn read_root_motion(node: &Node) -> Result<RootMotion, Complaint> {
-    let entries = node.object(&["times", "frames", "local"])?;
+pub fn read_root_motion(node: &Node, motions: &Motions) -> Result<RootMotion, Complaint> {
+    let entries = node.object(&["times", "frames", "motion", "local"])?;
     Ok(RootMotion {
-        spline: Arc::new(read_spline(node, &entries)?),
+        spline: motions.of(node, &entries)?,
         local: entries.get_unless_null("local").map_or(Ok(Frame::default()), read_pose)?,
     })
 }
 
 /// A motion: poses at times.
-pub fn read_motion(node: &Node) -> Result<PoseSpline, Complaint> {
-    read_spline(node, &node.object(&["times", "frames"])?)
-}
-
-fn read_spline(node: &Node, entries: &Entries) -> Result<PoseSpline, Complaint> {
+pub fn read_spline(node: &Node, entries: &Entries) -> Result<PoseSpline, Complaint> {
     let (times_node, frames_node) = (entries.require("times")?, entries.require("frames")?);
     let times = read_times(times_node)?;
     let items = frames_node.list()?;

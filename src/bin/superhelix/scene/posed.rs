@@ -128,13 +128,20 @@ impl Posing {
     fn take_back(self, scene: &mut Scene) -> Result<()> {
         let Self { solver, ids, images } = self;
         for of in images {
-            let SceneStrand { definition, contact, item, .. } = &scene.strands[of];
+            let SceneStrand { definition, contact, mapped, item, .. } = &scene.strands[of];
             let definition = StrandDef {
                 root_velocity: nalgebra::Vector3::zeros(),
                 root_angular_velocity: nalgebra::Vector3::zeros(),
                 ..definition.clone()
             };
-            scene.strands.push(SceneStrand { definition, motion: None, item: *item, contact: *contact, image_of: Some(of) });
+            scene.strands.push(SceneStrand {
+                definition,
+                motion: None,
+                item: *item,
+                contact: *contact,
+                mapped: *mapped,
+                image_of: Some(of),
+            });
         }
         for (strand, id) in scene.strands.iter_mut().zip(ids) {
             let definition = &mut strand.definition;

@@ -7,6 +7,8 @@ use serde_json::Value;
 use superhelix::hair::VariedStrand;
 use superhelix::{Frame, Freedoms, MAX_ELEMENTS, Material, SolverOptions, StrandContact, StrandDef};
 
+use super::maps::{MappedContact, Maps};
+use super::motions::Motions;
 use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
 use super::words::in_words_of_the_scene;
 use super::{follicles, groom, hair};
@@ -23,6 +25,8 @@ pub struct SceneStrand {
     pub item: usize,
     /// What it is to contact, where there is anything to touch.
     pub contact: Option<StrandContact>,
+    /// What maps say of its contact.
+    pub mapped: MappedContact,
     /// Of which strand it is the image, if it is one.
     pub image_of: Option<usize>,
 }
@@ -32,21 +36,38 @@ const MATERIAL: [&str; 7] =
     ["radius", "density", "youngs_modulus", "poisson_ratio", "internal_friction", "viscosity", "air_drag"];
 
 /// What only a strand that is no groom's may say of its shape and place; and contact.
-const OF_ITS_OWN: [&str; 8] =
-    ["natural_curvatures", "initial_curvatures", "initial_rates", "freedoms", "root", "follicles", "root_motion", "contact"];
+const OF_ITS_OWN: [&str; 9] = [
+    "natural_curvatures",
+    "initial_curvatures",
+    "initial_rates",
+    "freedoms",
+    "root",
+    "follicles",
+    "root_motion",
+    "contact",
+    "maps",
+];
 
 /// Reads item number `item` of `strands`, but for its contact: one strand, one at each of its follicles, or those of a groom. `directory` is
 /// where files are that it names.
-pub fn read(node: &Node, item: usize, options: &SolverOptions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
+pub fn read(
+    node: &Node,
+    item: usize,
+    options: &SolverOptions,
+    motions: &Motions,
+    directory: &Path,
+) -> Result<Vec<SceneStrand>, Complaint> {
     if node.value.get("groom").is_none_or(Value::is_null) {
-        return read_own(node, item, directory);
+        return read_own(node, item, motions, directory);
     }
-    let strands = node.object(&[&MATERIAL[..], &["groom", "contact"]].concat())?;
+    let strands = node.object(&[&MATERIAL[..], &["groom", "contact", "maps"]].concat())?;
     let material = read_material(&strands, Material::default())?;
-    let made = groom::read(strands.require("groom")?, material, options, directory)?;
-    let strand = |definition: StrandDef| {
+    let maps = strands.get_unless_null("maps").map(|maps| Maps::read(maps, None, true, directory)).transpose()?;
+    let made = groom::read(strands.require("groom")?, material, maps.as_ref(), options, directory)?;
+    let strand = |(definition, mapped): (StrandDef, MappedContact)| {
         definition.check(&node.key).map_err(in_words_of_the_scene)?;
-        Ok(SceneStrand { definition, motion: None, item, contact: None, image_of: None })
+        mapped.check(&format!("{}.maps", node.key))?;
+        Ok(SceneStrand { definition, motion: None, item, contact: None, mapped, image_of: None })
     };
     made.into_iter().map(strand).collect()
 }
@@ -63,7 +84,7 @@ fn read_material(strand: &Entries, defaults: Material) -> Result<Material, Compl
     })
 }
 
-fn read_own(node: &Node, item: usize, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
+fn read_own(node: &Node, item: usize, motions: &Motions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
     let strand =
         node.object(&[&["elements", "length", "element_lengths", "groom", "hair"][..], &MATERIAL, &OF_ITS_OWN].concat())?;
     let follicles = strand.get_unless_null("follicles");
@@ -74,10 +95,18 @@ fn read_own(node: &Node, item: usize, directory: &Path) -> Result<Vec<SceneStran
     };
     let element_lengths = read_lengths(&strand)?;
     let hair = strand.get_unless_null("hair").map(hair::read).transpose()?;
-    let motion = strand.get_unless_null("root_motion").map(read_root_motion).transpose()?;
+    let motion = strand.get_unless_null("root_motion").map(|node| read_root_motion(node, motions)).transpose()?;
+    let maps = strand.get_unless_null("maps").map(|maps| Maps::read(maps, follicles, false, directory)).transpose()?;
     let one = |(number, place): (usize, &Frame)| {
+        // The mesh of follicles moves with them.
+        let moves = motion.as_ref().filter(|_| follicles.is_none());
+        let root = moves.map_or(place.origin, |motion| motion.at(0.0).origin);
+        let mapped = maps.as_ref().map(|maps| maps.at(&root)).unwrap_or_default();
+        let element_lengths = mapped.lengths(&element_lengths);
         let hair = hair.as_ref().map(|hair| hair.strand(number as u64, &element_lengths)).transpose()?;
-        let mut definition = read_definition(&strand, element_lengths.clone(), hair.as_ref())?;
+        let mut definition = read_definition(&strand, element_lengths, hair.as_ref())?;
+        definition.material = mapped.material(definition.material);
+        mapped.curl(&mut definition);
         let mut place = *place;
         if let Some(hair) = hair.filter(|hair| hair.root_turn != 0.0) {
             if let Some(motion) = strand.get_unless_null("root_motion").filter(|_| follicles.is_none()) {
@@ -95,7 +124,9 @@ fn read_own(node: &Node, item: usize, directory: &Path) -> Result<Vec<SceneStran
             (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
         }
         definition.check(&node.key).map_err(in_words_of_the_scene)?;
-        Ok(SceneStrand { definition, motion, item, contact: None, image_of: None })
+        let mapped = mapped.contact();
+        mapped.check(&format!("{}.maps", node.key))?;
+        Ok(SceneStrand { definition, motion, item, contact: None, mapped, image_of: None })
     };
     places.iter().enumerate().map(one).collect()
 }

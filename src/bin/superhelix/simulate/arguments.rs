@@ -14,8 +14,9 @@ use crate::groom::strands::NaturalShape;
 use crate::groom::wisp_arguments::WispArguments;
 use crate::picture::view::Face;
 use crate::scene;
-use crate::shell::argument_values::{named, not_negative, png, positive, preset, triple};
+use crate::shell::argument_values::{named, png, positive, preset, triple};
 use crate::shell::up::Up;
+use crate::stepping::motion_arguments::MotionArguments;
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
 ///
@@ -24,27 +25,11 @@ use crate::shell::up::Up;
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct SimulateArguments {
-    /// The groom: .hair, .tfx, .obj with lines, .usda or .data, root first.
+    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply or .npz, root first.
     #[arg(value_name = "GROOM")]
     pub groom: PathBuf,
-    /// The head's motion: a .csv of poses or a .bvh. Without it the head stands still.
-    #[arg(long, value_name = "HEAD.csv|.bvh")]
-    pub motion: Option<PathBuf>,
-    /// .bvh: name of the joint that carries the hair. Default: the first with "head" in its name.
-    #[arg(long, value_name = "NAME", requires = "motion")]
-    pub motion_joint: Option<String>,
-    /// .bvh: metres a unit of the file. Default: 1.
-    #[arg(long, value_name = "METRES", requires = "motion", value_parser = positive)]
-    pub motion_scale: Option<f64>,
-    /// The motion's axis that points up.
-    #[arg(long, value_enum, value_name = "AXIS", default_value_t = Up::Y)]
-    pub motion_up: Up,
-    /// Where in the motion to begin, s.
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, requires = "motion", value_parser = not_negative)]
-    pub start: f64,
-    /// Where the head's joint sits in the groom, file units. Default: the middle of the roots.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
-    pub pivot: Option<Vector3<f64>>,
+    #[command(flatten)]
+    pub head_motion: MotionArguments,
     /// Metres a unit of the groom. Default: what the file says (.usda), else 1, refused when hair of that size could not be.
     #[arg(long, value_name = "METRES", value_parser = positive)]
     pub scale: Option<f64>,

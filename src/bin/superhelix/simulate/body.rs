@@ -13,7 +13,7 @@ use superhelix::{BodyDef, BodyId, ContactModel, ContactOptions, Frame, Material,
 use crate::scene::contact::MODELS;
 use crate::shell::argument_values::{not_negative, positive};
 use crate::shell::failure::Failure;
-use crate::simulate::head::Head;
+use crate::stepping::head::Head;
 use crate::surfaces::baked_body;
 use crate::surfaces::baked_body::Baked;
 use crate::surfaces::surface::Surface;

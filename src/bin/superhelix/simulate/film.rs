@@ -99,7 +99,7 @@ impl Film {
             let title = format!(
                 "{}   {}   {} strands of {} elements",
                 name(&arguments.groom),
-                arguments.motion.as_deref().map_or_else(|| "still head".to_string(), name),
+                arguments.head_motion.motion.as_deref().map_or_else(|| "still head".to_string(), name),
                 strands.len(),
                 self.elements
             );

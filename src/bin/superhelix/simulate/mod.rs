@@ -8,10 +8,8 @@
 //! - `duration.rs`: How long a run of `superhelix simulate` is, and the motion that it follows.
 //! - `film.rs`: The frames of `superhelix simulate` on their way out: to the cache, and some of them to the picture.
 //! - `fineness.rs`: How fine `superhelix simulate` is: time step, substeps, elements.
-//! - `head.rs`: A head that carries roots: a motion laid onto a groom.
 //! - `report.rs`: What `superhelix simulate` tells afterwards.
 //! - `style.rs`: How a groom's style held: where strands are beside where they were drawn, in the frame of the head that carries them.
-//! - `unit.rs`: Metres a unit of the groom of `superhelix simulate`.
 
 pub mod arguments;
 mod body;
@@ -19,10 +17,8 @@ mod cache;
 mod duration;
 mod film;
 mod fineness;
-mod head;
 mod report;
 mod style;
-mod unit;
 
 use std::time::Instant;
 
@@ -38,15 +34,16 @@ use self::body::HeadBody;
 use self::duration::{count_frames, read_motion, warn_of_duration};
 use self::film::Film;
 use self::fineness::Fineness;
-use self::head::Head;
-use self::report::{DrawnInside, FitReport, Resting, SimulateReport};
+use self::report::SimulateReport;
 use self::style::Style;
-use self::unit::choose_scale;
+use crate::groom::statistics::GroomStatistics;
 use crate::groom::strands::{self as groom_strands, Skipped};
 use crate::groom::unit as groom_unit;
 use crate::shell::answer::print_answer;
 use crate::shell::failure::Failure;
 use crate::shell::progress;
+use crate::stepping::fitted::{DrawnInside, FitReport, Resting};
+use crate::stepping::head::Head;
 use crate::stepping::report::Report;
 use crate::stepping::resolution::{self, Shapes};
 use crate::stepping::settled;
@@ -60,20 +57,16 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     warn_of_duration(arguments, frame_count);
     let curves = Curves::read(&arguments.groom)?;
     arguments.up.check_groom(&arguments.groom, &curves)?;
-    let scale = choose_scale(arguments, &curves)?;
+    let statistics = GroomStatistics::of(&curves);
+    let stated = groom_unit::stated(arguments.scale, &curves);
+    let scale = groom_unit::plausible(&arguments.groom, &statistics, stated, arguments.scale.is_some())?;
     let fineness = Fineness::choose(arguments, &curves)?;
     let body = arguments.bodies.read(scale, arguments.quiet)?;
     let Made { mut solver, mut strands, skipped, material, contact } =
         make_strands(arguments, &curves, scale, &fineness, body.as_ref())?;
 
     let at_start: Vec<Frame> = strands.iter().map(|strand| strand.definition.root).collect();
-    let joint = match arguments.pivot {
-        Some(pivot) => pivot * scale,
-        None => at_start.iter().map(|root| root.origin).sum::<Vector3<f64>>() / at_start.len() as f64,
-    };
-    // A motion's clock may begin anywhere: --start counts from its first sample.
-    let start = arguments.start + motion.as_ref().map_or(0.0, |motion| motion.times()[0]);
-    let head = Head::new(motion, start, joint);
+    let head = arguments.head_motion.head(motion, at_start.iter().map(|root| root.origin), scale);
     for strand in &mut strands {
         let definition = &mut strand.definition;
         (definition.root_velocity, definition.root_angular_velocity) = head.velocity_at_start(&definition.root);

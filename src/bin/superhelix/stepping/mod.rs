@@ -2,11 +2,17 @@
 //!
 //! Files:
 //!
+//! - `fitted.rs`: Strands made of a groom: how well they fit, how they rest, what was drawn inside a body.
+//! - `head.rs`: A head that carries roots: a motion laid onto a groom.
+//! - `motion_arguments.rs`: The motion of a head on the command line.
 //! - `report.rs`: How the steps of a run went, all together.
 //! - `resolution.rs`: Says when helical elements are too long for the curl that they carry.
 //! - `sampled_frame.rs`: Strands as a solver has them, sampled for files and pictures.
 //! - `settled.rs`: `--settle`: strands that start at rest in their static equilibrium under gravity.
 
+pub mod fitted;
+pub mod head;
+pub mod motion_arguments;
 pub mod report;
 pub mod resolution;
 pub mod sampled_frame;

@@ -32,8 +32,7 @@ pub fn bake(
     cell: Option<f64>,
     quiet: bool,
 ) -> Result<Baked, Failure> {
-    let bounds = Bounds::of_points(vertices.iter().copied());
-    let cell = cell.unwrap_or_else(|| ((bounds.high - bounds.low).max() * CELL_OF_SIDE).clamp(LEAST_CELL, MAX_CELL));
+    let cell = cell.unwrap_or_else(|| usual_cell(vertices));
     let place = place(path, vertices, triangles, cell);
     if place.is_file() {
         match distance_grid::read(&place) {
@@ -42,12 +41,12 @@ pub fn bake(
             Err(_) => {}
         }
     }
-    let mesh = Mesh::for_baking(vertices.to_vec(), triangles.to_vec()).map_err(|error| Failure::file(path, error))?;
     if !quiet {
+        let mesh = Mesh::for_baking(vertices.to_vec(), triangles.to_vec()).map_err(|error| Failure::file(path, error))?;
         let [x, y, z] = DistanceGrid::baked_counts(&mesh, cell, BAND).map_err(|error| Failure::file(path, error))?;
         eprintln!("baking {} into {x} x {y} x {z} distances {cell:.4} m apart ...", path.display());
     }
-    let grid = DistanceGrid::bake(&mesh, cell, BAND).map_err(|error| Failure::file(path, error))?;
+    let grid = bake_anew(path, vertices, triangles, Some(cell))?;
     let kept = match distance_grid::write(&place, &grid) {
         Ok(()) => {
             if !quiet {
@@ -63,6 +62,24 @@ pub fn bake(
         }
     };
     Ok(Baked { grid, kept })
+}
+
+/// Bakes a mesh (m) and keeps nothing.
+pub fn bake_anew(
+    path: &Path,
+    vertices: &[Vector3<f64>],
+    triangles: &[[u32; 3]],
+    cell: Option<f64>,
+) -> Result<DistanceGrid, Failure> {
+    let mesh = Mesh::for_baking(vertices.to_vec(), triangles.to_vec()).map_err(|error| Failure::file(path, error))?;
+    let cell = cell.unwrap_or_else(|| usual_cell(vertices));
+    DistanceGrid::bake(&mesh, cell, BAND).map_err(|error| Failure::file(path, error))
+}
+
+/// The distance of nodes that suits a body of that size, m.
+fn usual_cell(vertices: &[Vector3<f64>]) -> f64 {
+    let bounds = Bounds::of_points(vertices.iter().copied());
+    ((bounds.high - bounds.low).max() * CELL_OF_SIDE).clamp(LEAST_CELL, MAX_CELL)
 }
 
 /// Where the grid of these numbers is kept. (The hash may be another in another version of the standard library: then it is baked again.)

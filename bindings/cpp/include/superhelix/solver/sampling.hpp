@@ -14,7 +14,8 @@ class solver_sampling {
   shx_solver *raw() const noexcept { return static_cast<const Solver *>(this)->get(); }
 
  public:
-  // Samples strands uniformly: item i * points_per_strand + j of each output is point j of strand ids[i]. One call a frame for everything.
+  // Samples strands uniformly: item i * points_per_strand + j of each output is point j of strand ids[i]. One call a frame for everything. frames: whole
+  // ones, quaternions in four numbers, or unit tangents in three.
   returns<void> sample_strands(span<const strand_id> ids, const sample_def &def, const output &points, const output &frames = {},
                                const output &velocities = {}) const {
     return detail::finish(shx_solver_sample_strands(raw(), ids.data(), ids.size(), &def, detail::wanted(points),

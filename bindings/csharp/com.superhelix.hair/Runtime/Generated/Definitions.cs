@@ -376,6 +376,83 @@ namespace Superhelix
     }
   }
 
+  /// <summary>
+  /// Curves to which strands are drawn. Fill it with shx_target_def_init, then set curve_count and points. The library reads the arrays
+  /// during the call only.
+  /// </summary>
+  public sealed unsafe partial class TargetDef
+  {
+    internal TargetDefRaw Raw;
+
+    /// <summary>One with the defaults.</summary>
+    public TargetDef()
+    {
+      fixed (TargetDefRaw* raw = &Raw)
+        Error.Check(Native.shx_target_def_init(raw, (UIntPtr)sizeof(TargetDefRaw)));
+    }
+
+    /// <summary>
+    /// Points of all curves, curve by curve, root first, m, world: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is ignored).
+    /// At least two per curve; straight in between.
+    /// </summary>
+    public Items Points { get; set; }
+
+    /// <summary>
+    /// Number of points of each curve: curve_count numbers that sum to points.count. Null (default): all curves have equally many.
+    /// </summary>
+    public uint[] PointCounts { get; set; }
+
+    /// <summary>
+    /// Arclength of the strand's point that belongs to each point of the curves, m; 0 or above, strictly ascending along each curve. Parts
+    /// of a strand before its first and beyond its last are free. Null (default): in proportion to the curve's length, so that the tip
+    /// belongs to the last point.
+    /// </summary>
+    public double[] Arclengths { get; set; }
+
+    /// <summary>
+    /// Positions of the keys on every strand, from 0 (root) to 1 (tip), strictly ascending; weight_count numbers. Default null: set it with
+    /// weights.
+    /// </summary>
+    public double[] WeightPositions { get; set; }
+
+    /// <summary>
+    /// Weight at each key, 0 (free) to 1 (on the curve); linear between keys, constant beyond them. Default null: from 1 at the root to 0
+    /// at the tip.
+    /// </summary>
+    public double[] Weights { get; set; }
+
+    /// <summary>Factor of each strand's weights, 0 to 1: curve_count numbers. Null (default): 1.</summary>
+    public double[] StrandWeights { get; set; }
+
+    /// <summary>
+    /// Time constant with which a point of weight 0.5 comes to its place, s; above 0. Weight w has the time constant time_constant * (1 -
+    /// w) / w. Default 0.1.
+    /// </summary>
+    public double TimeConstant
+    {
+      get { return Raw.TimeConstant; }
+      set { Raw.TimeConstant = value; }
+    }
+
+    // What the C library reads during a call.
+    internal TargetDefRaw Pin(Pins pins)
+    {
+      TargetDefRaw raw = Raw;
+      raw.Points = pins.AddItems(Points);
+      raw.CurveCount = (UIntPtr)Pins.Agree("TargetDef.PointCounts", PointCounts, raw.CurveCount.ToUInt64(), false);
+      raw.PointCounts = pins.Add(PointCounts);
+      raw.CurveCount = (UIntPtr)Pins.Agree("TargetDef.StrandWeights", StrandWeights, raw.CurveCount.ToUInt64(), false);
+      raw.StrandWeights = pins.Add(StrandWeights);
+      raw.Points.count = (UIntPtr)Pins.Agree("TargetDef.Arclengths", Arclengths, raw.Points.count.ToUInt64(), true);
+      raw.Arclengths = pins.Add(Arclengths);
+      raw.WeightCount = (uint)Pins.Agree("TargetDef.WeightPositions", WeightPositions, raw.WeightCount, false);
+      raw.WeightPositions = pins.Add(WeightPositions);
+      raw.WeightCount = (uint)Pins.Agree("TargetDef.Weights", Weights, raw.WeightCount, false);
+      raw.Weights = pins.Add(Weights);
+      return raw;
+    }
+  }
+
   /// <summary>Options of dragging and brushing. Fill it with shx_pose_options_init, then change what you need.</summary>
   public sealed unsafe partial class PoseOptions
   {

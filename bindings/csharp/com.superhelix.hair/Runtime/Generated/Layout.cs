@@ -176,6 +176,22 @@ namespace Superhelix
         Compare(ref first, "StrandDefRaw.reserved_0", (byte*)&x.reserved_0 - at, 232);
       }
       {
+        TargetDefRaw x = default(TargetDefRaw);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof TargetDefRaw", sizeof(TargetDefRaw), 128);
+        Compare(ref first, "TargetDefRaw.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "TargetDefRaw.WeightCount", (byte*)&x.WeightCount - at, 4);
+        Compare(ref first, "TargetDefRaw.CurveCount", (byte*)&x.CurveCount - at, 8);
+        Compare(ref first, "TargetDefRaw.Points", (byte*)&x.Points - at, 16);
+        Compare(ref first, "TargetDefRaw.PointCounts", (byte*)&x.PointCounts - at, 48);
+        Compare(ref first, "TargetDefRaw.Arclengths", (byte*)&x.Arclengths - at, 56);
+        Compare(ref first, "TargetDefRaw.WeightPositions", (byte*)&x.WeightPositions - at, 64);
+        Compare(ref first, "TargetDefRaw.Weights", (byte*)&x.Weights - at, 72);
+        Compare(ref first, "TargetDefRaw.StrandWeights", (byte*)&x.StrandWeights - at, 80);
+        Compare(ref first, "TargetDefRaw.TimeConstant", (byte*)&x.TimeConstant - at, 88);
+        Compare(ref first, "TargetDefRaw.reserved_0", (byte*)&x.reserved_0 - at, 96);
+      }
+      {
         SettleDef x = default(SettleDef);
         byte* at = (byte*)&x;
         Compare(ref first, "sizeof SettleDef", sizeof(SettleDef), 24);

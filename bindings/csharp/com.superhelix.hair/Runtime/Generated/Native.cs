@@ -133,6 +133,18 @@ namespace Superhelix
     internal static extern int shx_solver_get_root_frames(SolverHandle solver, StrandId* ids, UIntPtr count, RawView* frames);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_target_def_init(TargetDefRaw* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_set_targets(SolverHandle solver, StrandId* ids, UIntPtr count, TargetDefRaw* @def, double over_seconds);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_clear_targets(SolverHandle solver, StrandId* ids, UIntPtr count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_target_distances(SolverHandle solver, StrandId* ids, UIntPtr count, double* out_distances);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_set_natural_curvatures(SolverHandle solver, StrandId id, double* curvatures, UIntPtr count);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -449,6 +461,18 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_ring_comb_release(RingCombHandle comb, SolverHandle solver);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_add_ring_comb(HapticHandle haptic, SolverHandle solver, ToolDef* tool, Frame* frame, RingCombDef* @def, StrandId* ids, UIntPtr count, UIntPtr* out_index);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_ring_comb_report(HapticHandle haptic, UIntPtr index, RingCombReport* out_report);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_ring_comb_frame(HapticHandle haptic, UIntPtr index, Frame* out_frame);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_release_ring_combs(HapticHandle haptic, SolverHandle solver);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_snapshot(SolverHandle solver, void* out_image, UIntPtr capacity, UIntPtr* out_size);

@@ -247,6 +247,25 @@ namespace Superhelix
     internal ulong reserved_3;
   }
 
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct TargetDefRaw
+  {
+    internal uint StructSize;
+    internal uint WeightCount;
+    internal UIntPtr CurveCount;
+    internal RawView Points;
+    internal IntPtr PointCounts;
+    internal IntPtr Arclengths;
+    internal IntPtr WeightPositions;
+    internal IntPtr Weights;
+    internal IntPtr StrandWeights;
+    internal double TimeConstant;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
   /// <summary>Options of shx_solver_settle. Fill it with shx_settle_def_init, then change what you need.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public struct SettleDef
@@ -481,8 +500,8 @@ namespace Superhelix
     /// What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The three axes must be at right
     /// angles and of one length, that of your unit: a rotation with a scale, or a reflection with a scale for left-handed hosts. Positions
     /// become origin-relative positions times these axes, plus translation; velocities the same without translation; radii are scaled;
-    /// frames turn along. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0). Centimetres
-    /// with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+    /// frames turn along and tangents stay of unit length. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations.
+    /// Default (1, 0, 0). Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
     /// </summary>
     public Vec3 XAxis;
     /// <summary>The same of the y axis. Default (0, 1, 0).</summary>

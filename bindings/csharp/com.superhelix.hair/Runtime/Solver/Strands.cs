@@ -192,6 +192,35 @@ namespace Superhelix
       }
     }
 
+    /// <summary>
+    /// Draws strands to curves, one for each id, as they are after the next overSeconds of simulated time. Call it once per frame, before the step.
+    /// </summary>
+    public void SetTargets(In<StrandId> ids, TargetDef def, double overSeconds)
+    {
+      using (Pins pins = Pins.Take())
+      fixed (StrandId* i = &ids.Pin())
+      {
+        TargetDefRaw raw = def.Pin(pins);
+        Check(Native.shx_solver_set_targets(Handle, i, ids.Size, &raw, overSeconds));
+      }
+    }
+
+    /// <summary>Lets strands go: nothing draws them any more.</summary>
+    public void ClearTargets(In<StrandId> ids)
+    {
+      fixed (StrandId* i = &ids.Pin())
+        Check(Native.shx_solver_clear_targets(Handle, i, ids.Size));
+    }
+
+    /// <summary>How far each strand is from its target, m, weighted; -1 for one without.</summary>
+    public void TargetDistances(In<StrandId> ids, Out<double> distances)
+    {
+      Error.Room("distances", distances.Count, ids.Count);
+      fixed (StrandId* i = &ids.Pin())
+      fixed (double* d = &distances.Pin())
+        Check(Native.shx_solver_target_distances(Handle, i, ids.Size, d));
+    }
+
     /// <summary>Puts roots at the given frames at once, without a kick: for cuts and new takes.</summary>
     public void TeleportRoots(In<StrandId> ids, Items frames)
     {
@@ -228,7 +257,7 @@ namespace Superhelix
 
     /// <summary>
     /// Samples strands uniformly: item i * PointsPerStrand + j of each output is point j of strand ids[i]. One call a frame for everything. Outputs that
-    /// are not wanted are left out.
+    /// are not wanted are left out. frames: whole ones, quaternions in four numbers, or unit tangents in three.
     /// </summary>
     public void SampleStrands(In<StrandId> ids, SampleDef def, Items points, Items frames = default(Items), Items velocities = default(Items))
     {

@@ -18,6 +18,7 @@ from superhelix.solver.shapes import Settled, Shapes, Stability
 from superhelix.solver.stepping import Cancel, Stepping
 from superhelix.solver.strands import Energies, Strands
 from superhelix.solver.styling import Cuts, Styling
+from superhelix.solver.targets import Targets
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,7 +33,7 @@ _FROM_SETTINGS = (
 )
 
 
-class Solver(Strands, Shapes, Posing, Sampling, Bodies, Contact, Constraints, Styling, Stepping):
+class Solver(Strands, Targets, Shapes, Posing, Sampling, Bodies, Contact, Constraints, Styling, Stepping):
     """Strands, gravity, wind and everything that a step needs.
 
     with superhelix.Solver(gravity=(0, -9.81, 0), worker_count=4) as solver:

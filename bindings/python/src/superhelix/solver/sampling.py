@@ -92,9 +92,9 @@ class Sampling(SolverBase):
         """Returns points of strands, uniform in arclength, including root and tip, m: an array (strands, points, 3) of dtype float32 or float64.
 
         out: an array to write the points to instead, without a copy: any strided view with items of three numbers, or four, the fourth the
-        strand's radius. frames and velocities: arrays for the frames along the strands (seven float64, or quaternions x, y, z, w) and the velocities
-        of the points (m/s). origin is subtracted from positions before they are rounded to float32, m. transform: a matrix of 3x3, 3x4 or 4x4
-        numbers to your space, a rotation or a reflection with one scale; it acts on columns.
+        strand's radius. frames and velocities: arrays for the frames along the strands (seven float64; quaternions x, y, z, w; or three numbers, the
+        unit tangent alone) and the velocities of the points (m/s). origin is subtracted from positions before they are rounded to float32, m.
+        transform: a matrix of 3x3, 3x4 or 4x4 numbers to your space, a rotation or a reflection with one scale; it acts on columns.
         """
         bits = self._strands(ids)
         definition = _capi.shx_sample_def()
@@ -107,7 +107,7 @@ class Sampling(SolverBase):
         if out is None:
             out = np.empty((len(bits), definition.points_per_strand, 3), dtype=float_type("dtype", dtype))
         points = Output("out", out, (3, 4), count)
-        frame = None if frames is None else Output("frames", frames, (7, 4), count)
+        frame = None if frames is None else Output("frames", frames, (7, 4, 3), count)
         velocity = None if velocities is None else Output("velocities", velocities, (3,), count)
         self._call(
             functions.shx_solver_sample_strands,
@@ -127,6 +127,13 @@ class Sampling(SolverBase):
         self._sample_one("frames", frames, bits, points_per_strand)
         return frames
 
+    def sample_tangents(self, points_per_strand: int = 33, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> npt.NDArray[Any]:
+        """Returns unit tangents along strands, towards the tip, (strands, points, 3)."""
+        bits = self._strands(ids)
+        tangents = np.empty((len(bits), whole("points_per_strand", points_per_strand), 3), dtype=float_type("dtype", dtype))
+        self._sample_one("frames", tangents, bits, points_per_strand)
+        return tangents
+
     def sample_velocities(self, points_per_strand: int = 33, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> npt.NDArray[Any]:
         """Returns velocities of material points of strands, (strands, points, 3), m/s."""
         bits = self._strands(ids)
@@ -138,7 +145,7 @@ class Sampling(SolverBase):
         definition = _capi.shx_sample_def()
         initialize(definition)
         definition.points_per_strand = points_per_strand
-        output = Output(which, array, (7,) if which == "frames" else (3,), array.size // array.shape[-1])
+        output = Output(which, array, array.shape[-1:], array.size // array.shape[-1])
         frames, velocities = (output, None) if which == "frames" else (None, output)
         self._call(
             functions.shx_solver_sample_strands,
@@ -168,7 +175,7 @@ class Sampling(SolverBase):
         if out is None:
             out = np.empty((len(along), 3), dtype=float_type("dtype", dtype))
         points = Output("out", out, (3, 4), len(along))
-        frame = None if frames is None else Output("frames", frames, (7, 4), len(along))
+        frame = None if frames is None else Output("frames", frames, (7, 4, 3), len(along))
         velocity = None if velocities is None else Output("velocities", velocities, (3,), len(along))
         if transform is not None:
             definition = _capi.shx_sample_def()
