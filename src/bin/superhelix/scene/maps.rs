@@ -199,7 +199,7 @@ impl Mapped {
     /// A material with what they say of it.
     pub fn material(&self, material: Material) -> Material {
         let get = |parameter, otherwise| self.get(parameter).unwrap_or(otherwise);
-        let wider = get(Parameter::Radius, material.mean_radius()) / material.mean_radius();
+        let wider = self.get(Parameter::Radius).map_or(1.0, |mean| mean / material.mean_radius());
         Material {
             radius: material.radius.map(|radius| radius * wider),
             density: get(Parameter::Density, material.density),
