@@ -1,6 +1,6 @@
 //! Targets: curves to which strands are drawn, with a weight along their length.
 
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use nalgebra::Vector3;
 
@@ -75,8 +75,8 @@ unsafe impl Versioned for shx_target_def {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_target_def>() == 128 && offset_of!(shx_target_def, point_counts) == 48);
-    assert!(offset_of!(shx_target_def, time_constant) == 88);
+    assert!(size_of::<shx_target_def>() == 128 && std::mem::offset_of!(shx_target_def, point_counts) == 48);
+    assert!(std::mem::offset_of!(shx_target_def, time_constant) == 88);
 };
 
 /// Fills *def with defaults. size is sizeof(shx_target_def).

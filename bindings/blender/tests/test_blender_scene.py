@@ -44,6 +44,35 @@ def test_rests_as_drawn_with_no_option_set() -> None:
     check(hair)
 
 
+def test_hair_follows_rigged_curves() -> None:
+    _, bust, hair = scenes.head_scene(every=8, frames=24)
+    points, counts, _, _ = scenes.sintel(8)
+    rig = scenes.curves_object("rig", points, counts)
+    rig.parent = bust
+    # The rig is swept sideways by an animated turn about the head's axis.
+    rig.rotation_mode = "XYZ"
+    for frame, angle in ((1, 0.0), (12, 0.1)):
+        rig.rotation_euler[2] = angle
+        rig.keyframe_insert("rotation_euler", index=2, frame=frame)
+    bpy.context.view_layer.objects.active = hair
+    hair.superhelix.target, hair.superhelix.follow_root, hair.superhelix.follow_tip = rig, 0.0, 1.0
+    assert bpy.ops.superhelix.setup() == {"FINISHED"}
+    for frame in range(1, 19):
+        shown = go(frame)
+    check(hair)
+    ends = np.cumsum(counts).astype(int) - 1
+    now = np.array(rig.matrix_world)
+    tips = points[ends] @ now[:3, :3].T + now[:3, 3]
+    moved = np.linalg.norm(points[ends] - tips, axis=1)
+    left = np.linalg.norm(shown[ends] - tips, axis=1)
+    assert moved.mean() > 5e-3 and left.mean() < 0.3 * moved.mean(), (moved.mean(), left.mean())
+    # Others than the first frame had.
+    hair.superhelix.target = scenes.curves_object("fewer", points[: counts[0]], counts[:1])
+    bpy.context.scene.frame_set(19)
+    check(hair, State.FAILED)
+    assert "rigged curves fewer: 1 curves; 29 expected" in play.playback(hair).message
+
+
 def test_edits_are_never_overwritten() -> None:
     _, hair = still_head()
     go(1)

@@ -190,7 +190,7 @@ namespace Superhelix.Tests
         Vec3[] curves = new Vec3[18];
         for (int i = 0; i < 18; i++)
           curves[i] = new Vec3(0.01 * (i / 9), 1e-4 * (i % 9) * (i % 9), -0.0249 * (i % 9));
-        TargetDef def = new TargetDef { Points = curves, CurveCount = 2, TimeConstant = 0.05 };
+        TargetDef def = new TargetDef { Points = curves, TimeConstant = 0.05 };
         def.WeightPositions = new double[] { 0, 1 };
         def.Weights = new double[] { 1, 1 };
         def.StrandWeights = new double[] { 1, 0 };
@@ -200,6 +200,12 @@ namespace Superhelix.Tests
         hair.TargetDistances(ids, distances);
         Check.That(distances[0] >= 0 && distances[0] < 2e-3 && distances[1] == -1, "one follows");
         Check.Throws<ArgumentException>(() => hair.TargetDistances(ids, new double[1]), "distances holds 1");
+        // Without counts or weights of its own there is a curve for each strand.
+        def.StrandWeights = null;
+        hair.SetTargets(ids, def, 0.1);
+        hair.TargetDistances(ids, distances);
+        Check.That(distances[0] >= 0 && distances[1] >= 0, "both follow");
+        def.StrandWeights = new double[] { 1, 0 };
         hair.ClearTargets(ids);
         hair.TargetDistances(ids, distances);
         Check.That(distances[0] == -1, "let go");

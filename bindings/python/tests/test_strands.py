@@ -163,9 +163,10 @@ def test_strands_follow_targets(solver) -> None:
     assert (distances[1:] == -1).all()
     # The same, curve by curve, from half-way on.
     solver.set_targets(
-        curves[:2].reshape(-1, 3), ids[:2], point_counts=[9, 9], arclengths=np.tile(np.linspace(0.0, 0.1, 9), 2), weights=[(0.5, 0), (1, 1)], time_constant=0.02
+        curves[:2].reshape(-1, 3), ids[:2], point_counts=[9, 9], arclengths=np.tile(np.linspace(0.0, 0.2, 9), 2), weights=[(0.5, 0), (1, 1)], time_constant=0.02
     )
-    assert (solver.target_distances(ids[:2]) > 1e-3).all()
+    followed, free = solver.target_distances(ids[:2])
+    assert 0.0 <= followed < 1e-3 < free
     solver.clear_targets()
     assert (solver.target_distances() == -1).all()
     with pytest.raises(shx.InvalidArgumentError, match=r"def\.curve_count"):

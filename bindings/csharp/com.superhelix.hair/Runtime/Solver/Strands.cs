@@ -201,6 +201,8 @@ namespace Superhelix
       fixed (StrandId* i = &ids.Pin())
       {
         TargetDefRaw raw = def.Pin(pins);
+        if (raw.CurveCount == UIntPtr.Zero)
+          raw.CurveCount = ids.Size;
         Check(Native.shx_solver_set_targets(Handle, i, ids.Size, &raw, overSeconds));
       }
     }
