@@ -15,6 +15,8 @@ Numbers = npt.NDArray[np.float64]
 
 #: The middle of the head, inside.
 MIDDLE = np.array([0.0, 0.01, 0.345])
+#: The middle of the neck, above the shoulders.
+NECK = np.array([0.0, 0.02, 0.21])
 #: Elevation of the hairline seen from there, degrees, by the angle from the face: forehead, temples, before and above the ears, nape.
 HAIRLINE = ((0, 28, 46, 58, 68, 78, 86, 97, 108, 120, 140, 180), (25, 24, 18, 12, 2, -8, 8, 19, 6, -18, -36, -43))
 #: The ways along which hair is drawn before it is cut.

@@ -28,6 +28,10 @@ import superhelix_hair  # noqa: E402
 from superhelix_hair import play  # noqa: E402
 
 GUIDES = 420
+#: Of the shirt, m from the middle of the neck.
+NECKLINE = 0.1
+#: Where they end on an eye, degrees from its axis.
+PUPIL, IRIS = 11.0, 25.0
 
 
 @dataclass(frozen=True)
@@ -41,9 +45,9 @@ class Look:
     render_points: int
     melanin: float
     redness: float
-    #: Where the camera is, from the middle of the head, m; and where it looks, above it.
+    #: Where the camera is, from the middle of the head, m; and where it looks: to its right and above the middle.
     camera: tuple[float, float, float]
-    aim: float
+    aim: tuple[float, float]
     options: dict[str, object]
 
 
@@ -54,8 +58,8 @@ LOOKS = {
         render_points=56,
         melanin=0.62,
         redness=0.55,
-        camera=(0.4, -0.98, 0.06),
-        aim=-0.028,
+        camera=(0.47, -1.16, 0.07),
+        aim=(-0.023, -0.038),
         options={
             "follow": "CURVATURE",
             "curliness": 0.55,
@@ -75,16 +79,16 @@ LOOKS = {
         render_points=80,
         melanin=0.8,
         redness=0.6,
-        camera=(-0.4, -0.98, 0.06),
-        aim=-0.012,
+        camera=(-0.46, -1.13, 0.07),
+        aim=(0.0, -0.014),
         options={
             "follow": "CURVATURE",
             "curliness": 0.8,
             "render_wisps": 3,
-            "wisp_profile": (1.0, 0.55, 0.25),
+            "wisp_profile": (1.0, 0.45, 0.16),
             "parting": 60.0,
             "length_variation": 0.15,
-            "frizz": 0.8,
+            "frizz": 1.2,
             "flyaways": 0.02,
             "flyaway_distance": 4.0,
             "hold": 0.5,
@@ -182,25 +186,41 @@ def light(place: Vector, aim: Vector, power: float, size: float, tint: tuple[flo
 
 
 def dress(bust: bpy.types.Object) -> None:
-    """Skin, with a shade of the hair on the scalp as make-up artists paint it, and balls for the missing eyes."""
+    """Skin, with a shade of the hair on the scalp as make-up artists paint it; a shirt; and the missing eyes."""
     skin = material("skin", "ShaderNodeBsdfPrincipled", Roughness=0.5, Subsurface_Weight=0.12, Subsurface_Scale=0.01, Specular_IOR_Level=0.3)
-    eyes = material("eyes", "ShaderNodeBsdfPrincipled", Base_Color=(0.62, 0.5, 0.44, 1.0), Roughness=0.3)
+    white, iris, pupil = (
+        material(name, "ShaderNodeBsdfPrincipled", Base_Color=(*colour, 1.0), Roughness=0.15)
+        for name, colour in (("white", (0.6, 0.5, 0.45)), ("iris", (0.06, 0.075, 0.04)), ("pupil", (0.004, 0.004, 0.004)))
+    )
     tree = skin.node_tree
     paint, mix = tree.nodes.new("ShaderNodeAttribute"), tree.nodes.new("ShaderNodeMix")
     paint.attribute_name, mix.data_type = "scalp", "RGBA"
     mix.inputs[6].default_value, mix.inputs[7].default_value = (0.64, 0.4, 0.29, 1.0), (0.11, 0.055, 0.035, 1.0)
     tree.links.new(paint.outputs["Fac"], mix.inputs[0])
-    tree.links.new(mix.outputs[2], tree.nodes["Principled BSDF"].inputs["Base Color"])
+    shirt, edge, wear = tree.nodes.new("ShaderNodeAttribute"), tree.nodes.new("ShaderNodeMath"), tree.nodes.new("ShaderNodeMix")
+    shirt.attribute_name, edge.operation, wear.data_type = "off_neck", "GREATER_THAN", "RGBA"
+    edge.inputs[1].default_value, wear.inputs[7].default_value = NECKLINE, (0.035, 0.06, 0.075, 1.0)
+    tree.links.new(shirt.outputs["Fac"], edge.inputs[0])
+    tree.links.new(edge.outputs[0], wear.inputs[0])
+    tree.links.new(mix.outputs[2], wear.inputs[6])
+    tree.links.new(wear.outputs[2], tree.nodes["Principled BSDF"].inputs["Base Color"])
     mesh = bust.data
     mesh.materials.append(skin)
     mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
     vertices = np.array([vertex.co[:] for vertex in mesh.vertices])
+    off_neck = np.where(vertices[:, 2] < drawn.NECK[2], np.linalg.norm((vertices - drawn.NECK)[:, :2], axis=1), 0.0)
+    mesh.attributes.new("off_neck", "FLOAT", "POINT").data.foreach_set("value", off_neck)
     for centre, radius in round_openings(vertices, np.array([polygon.vertices[:] for polygon in mesh.polygons])):
-        bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, radius=radius, location=tuple(centre))
+        # A pole looks ahead; rings around it are pupil and iris.
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=60, radius=radius, location=tuple(centre), rotation=(np.pi / 2, 0.0, 0.0))
         ball = bpy.context.object
         ball.parent = bust
         ball.data.polygons.foreach_set("use_smooth", [True] * len(ball.data.polygons))
-        ball.data.materials.append(eyes)
+        for part in (white, iris, pupil):
+            ball.data.materials.append(part)
+        for polygon in ball.data.polygons:
+            off = np.degrees(np.arccos(polygon.center.z / polygon.center.length))
+            polygon.material_index = 2 if off < PUPIL else 1 if off < IRIS else 0
 
 
 def stage(bust: bpy.types.Object, look: Look) -> None:
@@ -209,17 +229,18 @@ def stage(bust: bpy.types.Object, look: Look) -> None:
     middle = bust.matrix_world @ Vector(drawn.MIDDLE)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.data.lens = 100.0
-    aim = middle + Vector((0.0, 0.0, look.aim))
     # With the head as it faces.
     facing = Matrix.Rotation(bust.matrix_world.to_euler("XYZ").z, 4, "Z")
     camera.location = middle + facing @ Vector(look.camera)
+    right = (middle - camera.location).cross(Vector((0.0, 0.0, 1.0))).normalized()
+    aim = middle + look.aim[0] * right + Vector((0.0, 0.0, look.aim[1]))
     camera.rotation_euler = (aim - camera.location).to_track_quat("-Z", "Y").to_euler()
     scene.collection.objects.link(camera)
     scene.camera = camera
     side = 1.0 if look.camera[0] > 0.0 else -1.0
     light(middle + facing @ Vector((-0.75 * side, -0.95, 0.75)), middle, 24.0, 0.45, (1.0, 0.86, 0.7))
     light(middle + facing @ Vector((0.95 * side, 0.75, 0.6)), middle, 38.0, 0.4, (1.0, 0.93, 0.84))
-    light(middle + facing @ Vector((-0.9 * side, 0.8, 0.35)), middle, 14.0, 0.5, (0.85, 0.92, 1.0))
+    light(middle + facing @ Vector((-0.9 * side, 0.8, 0.35)), middle, 8.0, 0.5, (0.85, 0.92, 1.0))
     light(middle + facing @ Vector((1.2 * side, -1.1, -0.1)), middle, 7.0, 1.2, (0.9, 0.95, 1.0))
     world = bpy.data.worlds.new("world")
     world.use_nodes = True
@@ -258,7 +279,7 @@ def main() -> None:
     parser.add_argument("what", choices=tuple(LOOKS))
     parser.add_argument("out", type=Path)
     parser.add_argument("--hairs", type=int, default=30_000)
-    parser.add_argument("--width", type=int, default=800)
+    parser.add_argument("--width", type=int, default=900)
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--frame", type=int, default=0)
     given = parser.parse_args()
