@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # How long it takes from nothing to hair, host by host: installs, runs, draws, scrubs and bakes in folders of its own, out/hosts, and leaves
 # docs/figures/hosts.csv: host, step, seconds, seconds of processor. Usage: scripts/hosts.sh [HOST ...], of
-# library command_line c cpp csharp webassembly python usd alembic godot blender_5.0 blender_4.5 (default: all). What is not there is left out, and that is said.
+# library command_line c cpp csharp webassembly python usd alembic godot blender_5.0 blender_4.5 compare (default: all). What is not there is left out, and
+# that is said. `compare` says which hosts' frames are the same to the bit, and fails where they must be and are not: scripts/hosts/compare.py.
 # Environment:
 #   SUPERHELIX_BUILD    a folder with lib/ and include/; else the step `library` builds it, with SHX_PROFILE (default demo)
 #   SUPERHELIX_BINARY   the command line; else the same step builds it
@@ -11,8 +12,8 @@ cd "$(dirname "$0")/.."
 out=$PWD/out/hosts
 grooms=$PWD/tests/data/grooms
 profile=${SHX_PROFILE:-demo}
-build=${SUPERHELIX_BUILD:-$out/library}
-binary=${SUPERHELIX_BINARY:-${CARGO_TARGET_DIR:-target}/$profile/superhelix}
+build=${SUPERHELIX_BUILD:-$out/library/build}
+binary=${SUPERHELIX_BINARY:-$out/library/target/$profile/superhelix}
 threads=$(getconf _NPROCESSORS_ONLN)
 table=docs/figures/hosts.csv
 mkdir -p "$out"
@@ -147,10 +148,13 @@ blender() { # blender VERSION
     [ ! -e "$out/$other" ] || timed "draw_${other#*.}" "$folder/venv/bin/python" scripts/hosts/blender_walk.py "$out/$other" "$folder"
   done
 }
+host_compare() {
+  "$out/usd/venv/bin/python" scripts/hosts/compare.py "$out" | tee "$out/compare.txt"
+}
 host_blender_5.0() { blender 5.0.1; }
 host_blender_4.5() { blender 4.5.15; }
 
-everything="command_line c cpp csharp webassembly python usd alembic godot blender_5.0 blender_4.5"
+everything="command_line c cpp csharp webassembly python usd alembic godot blender_5.0 blender_4.5 compare"
 [ -n "${SUPERHELIX_BUILD:-}" ] || everything="library $everything"
 for name in ${*:-$everything}; do
   "host_$name"

@@ -15,8 +15,8 @@ target, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 os.environ["BLENDER_USER_RESOURCES"] = str(folder / "settings")
 os.environ.pop("SUPERHELIX_LIBRARY", None)
 
-import bpy
-import numpy as np
+import bpy  # noqa: E402
+import numpy as np  # noqa: E402
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "bindings" / "blender" / "tests"))
 FRAMES = 100

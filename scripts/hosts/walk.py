@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,7 @@ def scene() -> tuple[shx.Groom, shx.BodyDef, shx.motion.Motion]:
     """Hair, bust and motion."""
     groom = shx.Groom.read(GROOMS / "sintel_hair_001.tfx", scale=0.01)
     vertices, triangles = shx.read_obj_mesh(GROOMS / "sintel_bust.obj", 0.01)
-    body = shx.BodyDef.grid(shx.bake_distance_grid(vertices, triangles, 0.005, 0.03))
+    body = shx.BodyDef.grid(shx.bake_distance_grid(vertices, triangles, 0.005, 0.035))
     return groom, body, shx.motion_from_samples(*shx.read_motion(GROOMS / "walk_figure8_head.csv"))
 
 
@@ -45,10 +46,12 @@ def draw(folder: Path) -> None:
     import matplotlib
 
     matplotlib.use("agg")
+    from matplotlib import pyplot
+
     from superhelix.plot import plot_curves
 
-    points = np.load(folder / "points.npy")[-1]
-    plot_curves(points).figure.savefig(folder / "walk.png")
+    plot_curves(np.load(folder / "points.npy")[-1])
+    pyplot.savefig(folder / "walk.png")
 
 
 def scrub(folder: Path) -> None:
@@ -101,4 +104,5 @@ def read(folder: Path, name: str) -> None:
 
 if __name__ == "__main__":
     what, where = sys.argv[1], Path(sys.argv[2])
-    {"run": run, "draw": draw, "scrub": scrub, "bake": bake, "read": read}[what](where, *sys.argv[3:])
+    steps: dict[str, Callable[..., None]] = {"run": run, "draw": draw, "scrub": scrub, "bake": bake, "read": read}
+    steps[what](where, *sys.argv[3:])
