@@ -51,7 +51,7 @@ host_library() {
   binary=$folder/target/$profile/superhelix
 }
 simulate() { # simulate FORMAT
-  "$binary" simulate "$grooms/sintel_hair_001.tfx" --scale 0.01 --body "$folder/bust.obj" --motion "$grooms/walk_figure8_head.csv" --duration 4.125 --fps 24 \
+  "$binary" simulate "$grooms/sintel_hair_001.tfx" --scale 0.01 --body "$folder/bust.obj" --body-cell 0.005 --motion "$grooms/walk_figure8_head.csv" --duration 4.125 --fps 24 \
     --substeps 2 --threads "$threads" --samples 32 --format "$1" --out "$folder/$1" --quiet
 }
 host_command_line() {

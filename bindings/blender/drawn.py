@@ -105,7 +105,7 @@ def combed(roots: Numbers, normals: Numbers, skin: Skin, style: Style, random: n
 def lengths_to(ways: Numbers, height: float, longest: float, uneven: float, random: np.random.Generator) -> Numbers:
     """Lengths to a hem at a height, a little uneven; what lies on the shoulders is cut where they end."""
     along = _along(ways)
-    below = (ways[:, :, 2] < height) | (np.abs(ways[:, :, 0]) > 0.15)
+    below = (ways[:, :, 2] < height) | (np.abs(ways[:, :, 0]) > 0.135)
     first = np.where(below.any(axis=1), below.argmax(axis=1), STEPS - 1)
     cut = along[np.arange(len(ways)), first] * (1.0 - uneven * random.random(len(ways)))
     return np.asarray(np.minimum(cut, longest))

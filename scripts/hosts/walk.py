@@ -11,17 +11,27 @@ from pathlib import Path
 import numpy as np
 
 import superhelix as shx
+from superhelix.groom import GroomSolver
 
 GROOMS = Path(__file__).resolve().parents[2] / "tests" / "data" / "grooms"
-FPS, FRAMES, EVERY = 24, 100, 10
+FPS, FRAMES, EVERY, SUBSTEPS, POINTS = 24, 100, 10, 2, 32
 
 
 def scene() -> tuple[shx.Groom, shx.BodyDef, shx.motion.Motion]:
-    """Hair, bust and motion."""
-    groom = shx.Groom.read(GROOMS / "sintel_hair_001.tfx", scale=0.01)
+    """Hair, bust and motion, m."""
+    drawn = shx.Groom.read(GROOMS / "sintel_hair_001.tfx", scale=0.01)
+    groom = shx.Groom(drawn.points, drawn.point_counts, drawn.up_axis)
     vertices, triangles = shx.read_obj_mesh(GROOMS / "sintel_bust.obj", 0.01)
     body = shx.BodyDef.grid(shx.bake_distance_grid(vertices, triangles, 0.005, 0.035))
     return groom, body, shx.motion_from_samples(*shx.read_motion(GROOMS / "walk_figure8_head.csv"))
+
+
+def advance(made: GroomSolver, motion: shx.motion.Motion, frame: int) -> None:
+    """Steps to a frame from the one before."""
+    interval = 1.0 / (FPS * SUBSTEPS)
+    for substep in range(SUBSTEPS):
+        made.move_head(motion(0.0), motion(((frame - 1) * SUBSTEPS + substep + 1) * interval), interval)
+        made.solver.step(interval)
 
 
 def run(folder: Path) -> None:
@@ -31,9 +41,8 @@ def run(folder: Path) -> None:
         rows, images = [], {}
         for frame in range(FRAMES):
             if frame:
-                made.move_head(motion(0.0), motion(frame / FPS), 1 / FPS)
-                made.solver.step(1 / FPS, 2)
-            rows.append(made.solver.sample_strands(32, made.strands))
+                advance(made, motion, frame)
+            rows.append(made.solver.sample_strands(POINTS, made.strands))
             if frame % EVERY == 0:
                 images[frame] = made.solver.snapshot()
         np.save(folder / "points.npy", rows)
@@ -69,9 +78,8 @@ def scrub(folder: Path) -> None:
             made.solver.restore((folder / f"{at:03d}.snap").read_bytes())
             made.strands, made.body = made.solver.strand_ids(), made.solver.body_ids()[0]
             for later in range(at + 1, frame + 1):
-                made.move_head(motion(0.0), motion(later / FPS), 1 / FPS)
-                made.solver.step(1 / FPS, 2)
-            if not np.array_equal(made.solver.sample_strands(32, made.strands), there):
+                advance(made, motion, later)
+            if not np.array_equal(made.solver.sample_strands(POINTS, made.strands), there):
                 raise SystemExit(f"walk.py: frame {frame} is not that of the straight run")
         print(f"snapshot and steps: {1e3 * (time.perf_counter() - began) / len(order):.0f} ms a frame; the points are those of the straight run to the bit")
 
@@ -79,7 +87,17 @@ def scrub(folder: Path) -> None:
 def bake(folder: Path, name: str) -> None:
     """Writes a cache, and reads a frame of it."""
     groom, body, motion = scene()
-    shx.simulate(groom, motion, duration=(FRAMES - 1) / FPS, fps=FPS, cache=folder / name, body=body, worker_count=2)
+    shx.simulate(
+        groom,
+        motion,
+        duration=(FRAMES - 1) / FPS,
+        fps=FPS,
+        substeps=SUBSTEPS,
+        points_per_strand=POINTS,
+        cache=folder / name,
+        body=body,
+        worker_count=2,
+    )
     print(f"{name}: {(folder / name).stat().st_size / 1e6:.1f} MB")
 
 
