@@ -143,7 +143,7 @@ blender() { # blender VERSION
   timed pip fresh_blender "$1"
   timed pack pack
   timed all "$folder/venv/bin/python" scripts/hosts/blender_walk.py "$(find "$folder" -maxdepth 1 -name '*.zip')" "$folder"
-  grep '^STEP' "$folder/all.txt" | while read -r _ step seconds _; do put "$step" "$seconds" ""; done
+  grep '^STEP' "$folder/all.txt" | while read -r _ step seconds processor; do put "$step" "$seconds" "$processor"; done
   for other in alembic/hair.abc usd/hair.usdc; do
     [ ! -e "$out/$other" ] || timed "draw_${other#*.}" "$folder/venv/bin/python" scripts/hosts/blender_walk.py "$out/$other" "$folder"
   done

@@ -446,6 +446,8 @@ def test_every_option_says_what_it_is() -> None:
     bust, hair = still_head()
     go(1)
     drawn: set[str] = set()
+    # How firmly hair follows is drawn if it follows something.
+    hair.superhelix.target = hair
 
     class Context:
         object = hair
