@@ -16,6 +16,8 @@ build=${SUPERHELIX_BUILD:-$out/library/build}
 binary=${SUPERHELIX_BINARY:-$out/library/target/$profile/superhelix}
 threads=$(getconf _NPROCESSORS_ONLN)
 table=docs/figures/hosts.csv
+# What a user has: nothing set.
+unset PYTHONPATH SUPERHELIX_LIBRARY
 mkdir -p "$out"
 [ -s "$table" ] || echo "host,step,seconds,processor_seconds" >"$table"
 
