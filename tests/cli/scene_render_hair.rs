@@ -231,12 +231,10 @@ fn strands_have_the_shapes_of_a_groom() {
             let off = wanted.windows(2).map(to).fold(f64::INFINITY, f64::min);
             assert!(off < 1e-6, "{strand}: {off}");
         }
-        for frame in [&first, &last] {
-            assert!(
-                (frame.strand_length(strand) / length - 1.0).abs() < 0.01,
-                "{strand}: {} {length}",
-                frame.strand_length(strand)
-            );
+        // What curls of the guides do to the way along it is looked at from point to point alone.
+        for (frame, permitted) in [(&first, 0.002), (&last, 0.03)] {
+            let found = frame.strand_length(strand) / length;
+            assert!((found - 1.0).abs() < permitted, "{strand}: {found}");
         }
         let (before, after) = (first.strand(strand)[64], last.strand(strand)[64]);
         assert!((0..3).any(|k| (before[k] - after[k]).abs() > 0.01), "{before:?} {after:?}");
@@ -318,7 +316,6 @@ fn bad_sections_are_named() {
         ("scalp", scalp(json!({ "pose": { "origin": [1] } })), "scalp.pose.origin", "[1]"),
         ("scalp", scalp(json!({ "spacing": 1 })), "scalp.spacing", "1"),
         ("roots", json!({ "file": "none.obj" }), "roots.file", "\"none.obj\""),
-        ("roots", json!({ "file": "square.obj", "shapes": 1 }), "roots", "1"),
         ("roots", json!({ "file": "square.obj", "metres_per_unit": 0 }), "roots.file", "\"square.obj\""),
     ];
     let refuse = |section: Value, key: &str, shown: &str| {
@@ -339,6 +336,8 @@ fn bad_sections_are_named() {
     refuse(json!({}), "out", "is missing");
     std::fs::write(place.join("groom.obj"), "v 0 0 0\nv 0 0 1\nl 1 2\n").unwrap();
     refuse(json!({ "out": "render.usda", "roots": { "file": "groom.obj" } }), "roots.metres_per_unit", "is missing");
+    let no_truth = json!({ "file": "groom.obj", "metres_per_unit": 1, "shapes": 1 });
+    refuse(json!({ "out": "render.usda", "roots": no_truth }), "roots.shapes", "1");
     let groom = json!({ "file": "groom.obj", "metres_per_unit": 1 });
     refuse(json!({ "out": "render.usda", "roots": groom, "count": 7 }), "count", "7");
     refuse(json!({ "out": "render.usda", "roots": groom, "scalp": { "file": "square.obj" } }), "scalp", "roots");
