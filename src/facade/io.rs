@@ -35,5 +35,6 @@ pub use crate::files::point_strands::StrandsBy;
 pub use crate::files::raw_strands::RawStrands;
 pub use crate::files::recorded_curve::{Measured, RecordedCurve};
 pub use crate::files::sequence::{CacheFormat, Existing, Sequence, SequenceWriter};
+pub use crate::files::strand_attributes::StrandAttributes;
 pub use crate::files::tfx::TfxVersion;
 pub use crate::files::{distance_grid, hair, obj, obj_mesh, strand_data, tfx, usda};

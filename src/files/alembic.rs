@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 use crate::files::bytes;
 use crate::files::curves::{Curves, CurvesFormat, Extras};
 use crate::files::ogawa::{Archive, Compound, Kind, Object};
+use crate::files::strand_attributes::{Collected, FileAttribute};
 
 /// Deepest nesting of objects.
 const DEEPEST: usize = 64;
@@ -17,6 +18,12 @@ const DEEPEST: usize = 64;
 const LEAST_OBJECT: usize = 16;
 /// Objects may share points, but not more than so many times over.
 const SHARED: usize = 4;
+
+/// Most numbers of a value of a parameter.
+const WIDEST: usize = 16;
+
+/// Parameters for each curve may take as many times the bytes of the file: those that are there once for all curves take more.
+const EXPANDED: usize = 64;
 
 /// Whether a file begins as Alembic files do, of either kind.
 pub(super) fn is_alembic(bytes: &[u8]) -> bool {
@@ -28,13 +35,17 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Curves> {
     if !bytes.starts_with(b"Ogawa") {
         return Err(Error::file(name, "is an Alembic file of the older kind (HDF5): export it as Ogawa"));
     }
-    let archive = Archive::read(name, bytes)?;
-    let mut found = Found { name, size: bytes.len(), objects: 0, counts: Vec::new(), points: Vec::new() };
-    found.walk(&archive.top()?, &Matrix4::identity(), 0)?;
+    let found = Found::of(name, bytes, None)?;
     if found.counts.is_empty() {
         return Err(Error::file(name, "has no curves"));
     }
     Curves::from_parts(CurvesFormat::Alembic, found.counts, found.points, Extras::default())
+}
+
+/// The parameters of the curves of a file that [`read`] reads.
+pub(super) fn attributes(name: &str, bytes: &[u8]) -> Result<Vec<FileAttribute>> {
+    let found = Found::of(name, bytes, Some(Collected::default()))?;
+    Ok(found.attributes.map(Collected::finish).unwrap_or_default())
 }
 
 struct Found<'a> {
@@ -45,9 +56,18 @@ struct Found<'a> {
     objects: usize,
     counts: Vec<u32>,
     points: Vec<[f32; 3]>,
+    /// Parameters of the curves, if they are wanted.
+    attributes: Option<Collected>,
 }
 
-impl Found<'_> {
+impl<'a> Found<'a> {
+    fn of(name: &'a str, bytes: &'a [u8], attributes: Option<Collected>) -> Result<Self> {
+        let archive = Archive::read(name, bytes)?;
+        let mut found = Found { name, size: bytes.len(), objects: 0, counts: Vec::new(), points: Vec::new(), attributes };
+        found.walk(&archive.top()?, &Matrix4::identity(), 0)?;
+        Ok(found)
+    }
+
     fn walk(&mut self, object: &Object<'_>, above: &Matrix4<f64>, depth: usize) -> Result<()> {
         if depth > DEEPEST {
             return Err(Error::file(self.name, format_args!("has objects nested deeper than {DEEPEST}")));
@@ -68,7 +88,15 @@ impl Found<'_> {
         if object.is("AbcGeom_Curve")
             && let Some(geometry) = properties.compound(".geom")?
         {
+            let before = self.counts.len();
             self.take(object, &geometry, &here)?;
+            let counts = &self.counts[before..];
+            if let Some(attributes) = &mut self.attributes {
+                take_parameters(attributes, &geometry, counts)?;
+                if 8 * attributes.number_count() > EXPANDED * self.size {
+                    return Err(self.complain(object, format_args!("has more parameters of curves than fit")));
+                }
+            }
         }
         for child in object.children()? {
             self.walk(&child, &here, depth + 1)?;
@@ -162,6 +190,49 @@ impl Found<'_> {
         }
         Ok(())
     }
+}
+
+/// Takes the parameters of an object's curves that have numbers for each curve or point, or once for all.
+fn take_parameters(attributes: &mut Collected, geometry: &Compound<'_>, counts: &[u32]) -> Result<()> {
+    take_parameter(attributes, geometry, "width", counts)?;
+    if let Some(parameters) = geometry.compound(".arbGeomParams")? {
+        for name in parameters.names() {
+            take_parameter(attributes, &parameters, &name, counts)?;
+        }
+    }
+    attributes.end_object(counts.len());
+    Ok(())
+}
+
+fn take_parameter(attributes: &mut Collected, of: &Compound<'_>, name: &str, counts: &[u32]) -> Result<()> {
+    // With indices, values and indices are properties of their own.
+    let (values, indices) = match of.compound(name)? {
+        Some(indexed) => (indexed.values(".vals")?, indexed.values(".indices")?.and_then(|indices| indices.numbers())),
+        None => (of.values(name)?, None),
+    };
+    let Some((width, numbers)) = values.and_then(|values| Some((values.extent, values.numbers()?))) else { return Ok(()) };
+    if !(1..=WIDEST).contains(&width) {
+        return Ok(());
+    }
+    let there = indices.as_ref().map_or(numbers.len() / width, Vec::len);
+    let points: usize = counts.iter().map(|count| *count as usize).sum();
+    let step = |count: &u32| match there {
+        1 => 0,
+        there if there == counts.len() => 1,
+        _ => *count as usize,
+    };
+    if ![1, counts.len(), points].contains(&there) {
+        return Ok(());
+    }
+    let (mut first, mut all) = (0, Vec::with_capacity(width * counts.len()));
+    for count in counts {
+        let place = indices.as_ref().map_or(first, |indices| indices[first] as usize);
+        let Some(value) = place.checked_mul(width).and_then(|at| numbers.get(at..)?.get(..width)) else { return Ok(()) };
+        all.extend_from_slice(value);
+        first += step(count);
+    }
+    attributes.add(name, width, all);
+    Ok(())
 }
 
 /// A turn about an axis by an angle in degrees.

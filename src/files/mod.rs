@@ -31,6 +31,7 @@
 //! - `raw_strands.rs`: Strands as a file has them: of any number of points, none included, and of numbers that need not be finite.
 //! - `recorded_curve.rs`: A recorded curve as a table: `time_s`, one measured column, and the root's position if it was recorded.
 //! - `sequence.rs`: A cache as a sequence of files: simulated frames in `stem.0001.obj`, `stem.0002.obj` and so on.
+//! - `strand_attributes.rs`: Numbers that a groom file has for each of its strands, by name: primvars of USD, parameters of Alembic, arrays of NumPy, properties of `.ply`.
 //! - `strand_data.rs`: `.data` files of strands, as in the hair data sets of the University of Southern California and of Digital Salon.
 //! - `text.rs`: Lines and words of text files, with line numbers for errors.
 //! - `tfx.rs`: TressFX `.tfx` files: tells the three versions apart, reads and writes them.
@@ -40,6 +41,7 @@
 //! - `usd_curves.rs`: The curves of a USD layer at a time, as polylines in the world.
 //! - `usd_mesh.rs`: The meshes of a USD layer as triangles in the world: faces, texture coordinates, and vertices at a time.
 //! - `usd_placement.rs`: The placement of a prim of a USD file in its parent: its `xformOp`s.
+//! - `usd_primvars.rs`: The numeric primvars of the curves of a USD layer, a value for each strand.
 //! - `usda.rs`: USD as text (`.usda`): reads and writes curves. `mesh_cache` reads meshes over time.
 //! - `usda_layer.rs`: A layer of a USD text file: its units, axes and time, its curve or mesh prims, and the placements of their ancestors.
 //! - `usda_samples.rs`: A `.usda` file and the times of its samples: shared by the readers of curves and of meshes over time.
@@ -67,6 +69,7 @@ mod polygon;
 pub mod raw_strands;
 pub mod recorded_curve;
 pub mod sequence;
+pub mod strand_attributes;
 pub mod strand_data;
 mod text;
 pub mod tfx;
@@ -76,6 +79,7 @@ mod usd_controls;
 mod usd_curves;
 mod usd_mesh;
 mod usd_placement;
+mod usd_primvars;
 pub mod usda;
 mod usda_layer;
 mod usda_samples;

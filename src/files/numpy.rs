@@ -5,6 +5,7 @@
 
 use crate::error::{Error, Result};
 use crate::files::bytes::{self, u32_at};
+use crate::files::strand_attributes::{Domain, FileAttribute};
 
 /// What an array of strands holds.
 #[derive(Debug)]
@@ -16,6 +17,12 @@ pub(super) struct NumpyStrands {
 }
 
 const MAGIC: &[u8] = b"\x93NUMPY";
+
+/// The member of an archive that holds the strands.
+const POSITIONS: &str = "positions.npy";
+
+/// Most numbers for each strand or point that are attributes.
+const WIDEST: usize = 16;
 
 /// Whether a file begins as an array.
 pub(super) fn is_npy(bytes: &[u8]) -> bool {
@@ -39,7 +46,7 @@ pub(super) fn read_npy(name: &str, bytes: &[u8]) -> Result<NumpyStrands> {
 /// Reads the strands of an `.npz` file.
 pub(super) fn read_npz(name: &str, bytes: &[u8]) -> Result<NumpyStrands> {
     let members = members(name, bytes)?;
-    if let Some((member, content)) = members.iter().find(|(member, _)| member == "positions.npy") {
+    if let Some((member, content)) = members.iter().find(|(member, _)| member == POSITIONS) {
         return read_npy(&format!("{name}, {member}"), content.as_ref().map_err(|_| compressed(name, member))?);
     }
     let mut found = None;
@@ -61,6 +68,32 @@ pub(super) fn read_npz(name: &str, bytes: &[u8]) -> Result<NumpyStrands> {
     found.unwrap_or_else(|| {
         Err(Error::file(name, format_args!("has no array of strands by points by 3; its members are {}", names.join(", "))))
     })
+}
+
+/// The arrays of an `.npz` file of so many strands of so many points beside the strands: numbers for each strand or point.
+pub(super) fn attributes(name: &str, bytes: &[u8], [strands, points]: [usize; 2]) -> Result<Vec<FileAttribute>> {
+    let members = members(name, bytes)?;
+    let named = members.iter().any(|(member, _)| member == POSITIONS);
+    let mut attributes = Vec::new();
+    for (member, content) in &members {
+        let (Ok(content), Some(member)) = (content, member.strip_suffix(".npy")) else { continue };
+        let Ok(array) = Array::parse(name, content) else { continue };
+        let (domain, width) = match array.shape[..] {
+            [first] if first == strands => (Domain::Strands, 1),
+            [first, second] if first == strands && second == points => (Domain::Points, 1),
+            [first, width] if first == strands && width <= WIDEST => (Domain::Strands, width),
+            [first, second, width] if first == strands && second == points && width <= WIDEST => (Domain::Points, width),
+            _ => continue,
+        };
+        let is_strands = if named { POSITIONS.strip_suffix(".npy") == Some(member) } else { array.shape == [strands, points, 3] };
+        if is_strands {
+            continue;
+        }
+        let mut numbers = bytes::list(array.content.len() / array.kind.width())?;
+        numbers.extend(array.content.chunks_exact(array.kind.width()).map(|bytes| array.kind.number(bytes)));
+        attributes.push(FileAttribute { name: member.to_owned(), domain, width, numbers });
+    }
+    Ok(attributes)
 }
 
 fn compressed(name: &str, member: &str) -> Error {
@@ -106,15 +139,72 @@ fn members<'a>(name: &str, bytes: &'a [u8]) -> Result<Members<'a>> {
     Ok(members)
 }
 
+/// A number's type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Float(usize),
+    Signed(usize),
+    Unsigned(usize),
+}
+
+impl Kind {
+    fn of(kind: &str) -> Option<Self> {
+        Some(match kind {
+            "<f2" => Kind::Float(2),
+            "<f4" => Kind::Float(4),
+            "<f8" => Kind::Float(8),
+            "|i1" => Kind::Signed(1),
+            "<i2" => Kind::Signed(2),
+            "<i4" => Kind::Signed(4),
+            "<i8" => Kind::Signed(8),
+            "|u1" | "|b1" => Kind::Unsigned(1),
+            "<u2" => Kind::Unsigned(2),
+            "<u4" => Kind::Unsigned(4),
+            "<u8" => Kind::Unsigned(8),
+            _ => return None,
+        })
+    }
+
+    fn width(self) -> usize {
+        match self {
+            Kind::Float(width) | Kind::Signed(width) | Kind::Unsigned(width) => width,
+        }
+    }
+
+    /// The number that these bytes, as many as it takes, are.
+    fn number(self, bytes: &[u8]) -> f64 {
+        let bits = bytes.iter().rev().fold(0_u64, |bits, byte| bits << 8 | u64::from(*byte));
+        match self {
+            Kind::Float(2) => f64::from(half(bits as u16)),
+            Kind::Float(4) => f64::from(f32::from_bits(bits as u32)),
+            Kind::Float(_) => f64::from_bits(bits),
+            Kind::Unsigned(_) => bits as f64,
+            Kind::Signed(width) => {
+                let unused = 64 - 8 * width as u32;
+                ((bits << unused) as i64 >> unused) as f64
+            }
+        }
+    }
+}
+
 /// An array whose header has been read.
 struct Array<'a> {
-    width: usize,
+    kind: Kind,
     shape: Vec<usize>,
     content: &'a [u8],
 }
 
 impl<'a> Array<'a> {
+    /// An array of floats.
     fn read(name: &str, bytes: &'a [u8]) -> Result<Self> {
+        let array = Self::parse(name, bytes)?;
+        if !matches!(array.kind, Kind::Float(_)) {
+            return Err(Error::file(name, "is an array of integers; expected floats, <f4, <f8 or <f2"));
+        }
+        Ok(array)
+    }
+
+    fn parse(name: &str, bytes: &'a [u8]) -> Result<Self> {
         let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
         if !is_npy(bytes) || bytes.len() < 12 {
             return error(format_args!("is not an array of NumPy, or truncated in its header"));
@@ -125,11 +215,8 @@ impl<'a> Array<'a> {
         let after =
             |key: &str| header.split_once(key).and_then(|(_, rest)| rest.split_once(':')).map(|(_, rest)| rest.trim_start());
         let kind = after("'descr'").and_then(|rest| rest.strip_prefix('\'')?.split('\'').next()).unwrap_or_default();
-        let width = match kind {
-            "<f2" => 2,
-            "<f4" => 4,
-            "<f8" => 8_usize,
-            _ => return error(format_args!("is an array of type {kind:?}; expected floats, <f4, <f8 or <f2")),
+        let Some(kind) = Kind::of(kind) else {
+            return error(format_args!("is an array of type {kind:?}; expected floats, <f4, <f8 or <f2"));
         };
         if !after("'fortran_order'").is_some_and(|rest| rest.starts_with("False")) {
             return error(format_args!("is in Fortran order; save it in C order (numpy.ascontiguousarray)"));
@@ -140,6 +227,7 @@ impl<'a> Array<'a> {
         });
         let Some(shape) = shape else { return error(format_args!("has no shape in its header")) };
         let content = &bytes[begin + length..];
+        let width = kind.width();
         let needed = shape.iter().try_fold(width, |all: usize, side| all.checked_mul(*side));
         if needed != Some(content.len()) {
             let (has, what) = (content.len(), &shape);
@@ -147,7 +235,7 @@ impl<'a> Array<'a> {
                 "is truncated or oversized: its shape is {what:?}, {width} bytes a number, and it has {has} bytes"
             ));
         }
-        Ok(Self { width, shape, content })
+        Ok(Self { kind, shape, content })
     }
 
     /// Its strands, if it has their shape.
@@ -161,13 +249,9 @@ impl<'a> Array<'a> {
             return Err(Error::file(name, format_args!("has {strands} strands of {points} points; expected some")));
         };
         let mut all = bytes::list(strands * points)?;
-        let number = |bytes: &[u8]| match self.width {
-            2 => half(u16::from_le_bytes([bytes[0], bytes[1]])),
-            4 => f32::from_bits(u32_at(bytes, 0)),
-            _ => f64::from_bits(u64::from(u32_at(bytes, 0)) | u64::from(u32_at(bytes, 4)) << 32) as f32,
-        };
-        all.extend(self.content.chunks_exact(3 * self.width).map(|point| {
-            let mut axes = point.chunks_exact(self.width).map(number);
+        let number = |bytes: &[u8]| self.kind.number(bytes) as f32;
+        all.extend(self.content.chunks_exact(3 * self.kind.width()).map(|point| {
+            let mut axes = point.chunks_exact(self.kind.width()).map(number);
             std::array::from_fn(|_| axes.next().unwrap_or(f32::NAN))
         }));
         Ok(NumpyStrands { points: all, points_per_strand })

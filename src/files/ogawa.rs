@@ -208,6 +208,8 @@ struct Property {
     name: Vec<u8>,
     shape: Shape,
     pod: Kind,
+    /// Numbers of a value.
+    extent: usize,
 }
 
 /// Properties that have names.
@@ -220,6 +222,8 @@ pub(super) struct Compound<'a> {
 /// The first sample of a property.
 pub(super) struct Values<'a> {
     pub pod: Kind,
+    /// Numbers of a value.
+    pub extent: usize,
     pub bytes: &'a [u8],
 }
 
@@ -247,13 +251,18 @@ impl<'a> Compound<'a> {
             }
             let name = headers.text(hint)?.to_vec();
             headers.metadata(info >> 20 & 0xff, hint, &metadata)?;
-            properties.push(Property { name, shape, pod: Kind((info >> 4 & 15) as u8) });
+            properties.push(Property { name, shape, pod: Kind((info >> 4 & 15) as u8), extent: (info >> 12 & 0xff) as usize });
         }
         Ok(Self { group, metadata, properties })
     }
 
     fn find(&self, name: &str) -> Option<(usize, &Property)> {
         self.properties.iter().enumerate().find(|(_, property)| property.name == name.as_bytes())
+    }
+
+    /// The names of its properties.
+    pub fn names(&self) -> impl Iterator<Item = std::borrow::Cow<'_, str>> {
+        self.properties.iter().map(|property| String::from_utf8_lossy(&property.name))
     }
 
     pub fn compound(&self, name: &str) -> Result<Option<Compound<'a>>> {
@@ -273,11 +282,32 @@ impl<'a> Compound<'a> {
             return Ok(None);
         }
         let sample = samples.data(0)?;
-        Ok(Some(Values { pod: property.pod, bytes: sample.get(KEY..).unwrap_or_default() }))
+        Ok(Some(Values { pod: property.pod, extent: property.extent, bytes: sample.get(KEY..).unwrap_or_default() }))
     }
 }
 
 impl Values<'_> {
+    /// Numbers of any type but half floats; `None` for those and for texts.
+    pub fn numbers(&self) -> Option<Vec<f64>> {
+        fn all<const N: usize>(bytes: &[u8], number: impl Fn([u8; N]) -> f64) -> Option<Vec<f64>> {
+            Some(bytes.as_chunks::<N>().0.iter().map(|bytes| number(*bytes)).collect())
+        }
+        let bytes = self.bytes;
+        match self.pod.0 {
+            0 | 1 => all(bytes, |[byte]| f64::from(byte)),
+            2 => all(bytes, |bytes| f64::from(i8::from_le_bytes(bytes))),
+            3 => all(bytes, |bytes| f64::from(u16::from_le_bytes(bytes))),
+            4 => all(bytes, |bytes| f64::from(i16::from_le_bytes(bytes))),
+            5 => all(bytes, |bytes| f64::from(u32::from_le_bytes(bytes))),
+            6 => all(bytes, |bytes| f64::from(i32::from_le_bytes(bytes))),
+            7 => all(bytes, |bytes| u64::from_le_bytes(bytes) as f64),
+            8 => all(bytes, |bytes| i64::from_le_bytes(bytes) as f64),
+            10 => all(bytes, |bytes| f64::from(f32::from_le_bytes(bytes))),
+            11 => all(bytes, f64::from_le_bytes),
+            _ => None,
+        }
+    }
+
     /// Floats of 32 or 64 bits.
     pub fn floats(&self, name: &str) -> Result<Vec<f64>> {
         let mut numbers = Vec::new();

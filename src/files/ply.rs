@@ -2,10 +2,12 @@
 //!
 //! The points of strands are the element `vertex` with `x`, `y` and `z`, root first, strand after strand. How many points each
 //! strand has is in an element `strand` (`nsegs`, the segments of each), in an element `edge` (`vertex1`, `vertex2`), or nowhere:
-//! [`RawStrands`](super::raw_strands::RawStrands) then finds it. Normals and other properties are left out.
+//! [`RawStrands`](super::raw_strands::RawStrands) then finds it. Other properties are attributes of points
+//! and strands.
 
 use crate::error::{Error, Result};
 use crate::files::bytes;
+use crate::files::strand_attributes::{Domain, FileAttribute};
 use crate::files::text::Text;
 
 /// What a `.ply` file of strands holds.
@@ -48,6 +50,28 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<PlyStrands> {
     let colours =
         colours.map(|[red, green, blue]| (0..red.len()).map(|k| [red[k] as u8, green[k] as u8, blue[k] as u8]).collect());
     Ok(PlyStrands { points, counts, colours })
+}
+
+/// What a file has for each point and strand beside points and counts.
+pub(super) fn attributes(name: &str, bytes: &[u8]) -> Result<Vec<FileAttribute>> {
+    let file = Ply::read(name, bytes)?;
+    let mut attributes = Vec::new();
+    for element in &file.elements {
+        let domain = match element.name.as_str() {
+            "vertex" => Domain::Points,
+            "strand" => Domain::Strands,
+            _ => continue,
+        };
+        for Property { name, .. } in &element.properties {
+            if ["x", "y", "z", "nsegs"].contains(&name.as_str()) {
+                continue;
+            }
+            if let Some([numbers]) = file.columns(&element.name, [name])? {
+                attributes.push(FileAttribute { name: name.clone(), domain, width: 1, numbers });
+            }
+        }
+    }
+    Ok(attributes)
 }
 
 fn counts_of_segments(name: &str, segments: &[f64], points: usize) -> Result<Vec<u32>> {

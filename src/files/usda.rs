@@ -12,8 +12,9 @@ use std::path::Path;
 use crate::error::{Error, Result};
 use crate::files::bytes;
 use crate::files::curves::{Curves, UpAxis};
-use crate::files::usd_curves;
+use crate::files::strand_attributes::FileAttribute;
 use crate::files::usda_layer::{Layer, Wanted};
+use crate::files::{usd_curves, usd_primvars};
 
 /// Reads the curves of a `.usda` file, at its first time sample if it has any.
 ///
@@ -35,6 +36,13 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     let layer = Layer::read(name, bytes, Wanted::Curves)?;
     let first = usd_curves::times(&layer).first().copied().unwrap_or(0.0);
     usd_curves::at(&layer, name, first)
+}
+
+/// The numeric primvars of the curves of a file that [`read_from_bytes`] reads, at the same time.
+pub(super) fn attributes(name: &str, bytes: &[u8]) -> Result<Vec<FileAttribute>> {
+    let layer = Layer::read(name, bytes, Wanted::CurvesAndPrimvars)?;
+    let first = usd_curves::times(&layer).first().copied().unwrap_or(0.0);
+    Ok(usd_primvars::at(&layer, first))
 }
 
 /// What a file is that starts like a scene in another format.

@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 use crate::files::curves::UpAxis;
 use crate::files::usd_mesh::MeshPrim;
 use crate::files::usd_placement::Placement;
+use crate::files::usd_primvars::Primvar;
 use crate::files::usda_scan::Scan;
 use crate::files::usda_values::{Attribute, Interpolation, list, tuple};
 
@@ -41,6 +42,8 @@ pub(super) struct CurvesPrim {
     pub orders: Attribute<Vec<u32>>,
     pub knots: Attribute<Vec<f64>>,
     pub weights: Attribute<Vec<f64>>,
+    /// Primvars that are not among the above, if they are wanted.
+    pub primvars: Vec<Primvar>,
 }
 
 /// The attributes of curves that are read.
@@ -69,6 +72,8 @@ const WANTED: [&str; 18] = [
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wanted {
     Curves,
+    /// Curves with all their numeric primvars.
+    CurvesAndPrimvars,
     Meshes,
 }
 
@@ -108,6 +113,14 @@ pub(super) struct Prim {
     pub curves: Option<Box<CurvesPrim>>,
     pub mesh: Option<Box<MeshPrim>>,
     pub placement: Option<Box<Placement>>,
+}
+
+impl Prim {
+    /// Its curves, which it is to have.
+    fn curves_to_fill(&mut self) -> &mut CurvesPrim {
+        let nurbs = self.kind == PrimKind::Nurbs;
+        self.curves.get_or_insert_with(|| Box::new(CurvesPrim { nurbs, ..CurvesPrim::default() }))
+    }
 }
 
 /// A layer.
@@ -237,7 +250,8 @@ impl Layer {
                 _ => match open.last() {
                     Some((prim, _)) => {
                         scan.brackets();
-                        property(scan, &mut self.prims[*prim as usize])?;
+                        let primvars = self.wanted == Wanted::CurvesAndPrimvars && Primvar::is_numeric(word);
+                        property(scan, &mut self.prims[*prim as usize], primvars)?;
                     }
                     None => return Err(scan.error(format_args!("{word:?} outside of prims; expected def, over or class"))),
                 },
@@ -267,8 +281,8 @@ impl Layer {
         scan.expect(b'{', format_args!("to begin {name:?}"))?;
         let above = parent.is_none_or(|parent| self.prims[parent as usize].alive);
         let kind = match (kind_name, self.wanted) {
-            ("BasisCurves", Wanted::Curves) => PrimKind::Basis,
-            ("NurbsCurves", Wanted::Curves) => PrimKind::Nurbs,
+            ("BasisCurves", Wanted::Curves | Wanted::CurvesAndPrimvars) => PrimKind::Basis,
+            ("NurbsCurves", Wanted::Curves | Wanted::CurvesAndPrimvars) => PrimKind::Nurbs,
             ("Mesh", Wanted::Meshes) => PrimKind::Mesh,
             _ => PrimKind::None,
         };
@@ -352,8 +366,8 @@ fn metadata<'a>(scan: &mut Scan<'a>, mut entry: impl FnMut(&'a str, &mut Scan<'a
     Ok(())
 }
 
-/// An attribute or a relationship whose type has been read.
-fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
+/// An attribute or a relationship whose type has been read. `primvars`: whether it is taken if it is some primvar of curves.
+fn property(scan: &mut Scan<'_>, prim: &mut Prim, primvars: bool) -> Result<()> {
     let full = scan.word()?;
     if full.is_empty() {
         return Err(scan.unexpected("the name of an attribute"));
@@ -385,9 +399,9 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
         } else if prim.kind == PrimKind::Mesh {
             MeshPrim::wants(name) && prim.mesh.get_or_insert_default().take(scan, name, over_time)?
         } else if prim.kind != PrimKind::None && WANTED.contains(&name) {
-            let nurbs = prim.kind == PrimKind::Nurbs;
-            let curves = prim.curves.get_or_insert_with(|| Box::new(CurvesPrim { nurbs, ..CurvesPrim::default() }));
-            take(scan, curves, name, over_time)?
+            take(scan, prim.curves_to_fill(), name, over_time)?
+        } else if let (true, Some(primvar)) = (primvars && prim.kind != PrimKind::None, name.strip_prefix("primvars:")) {
+            Primvar::take(scan, &mut prim.curves_to_fill().primvars, primvar, over_time)?
         } else {
             false
         };
@@ -403,7 +417,7 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
                 "primvars:displayColor" => Some(&mut curves.colors.interpolation),
                 "primvars:displayOpacity" => Some(&mut curves.opacities.interpolation),
                 "primvars:st" => Some(&mut curves.uvs.interpolation),
-                _ => None,
+                _ => Primvar::interpolation_of(&mut curves.primvars, name),
             },
             (None, None) => None,
         };

@@ -21,6 +21,7 @@
 //! - `guide_samples.rs`: Guides at one moment, as points.
 //! - `image.rs`: Serialises the map.
 //! - `lengths.rs`: Restores the lengths of render strands: moves points along their path to their target arclengths.
+//! - `own_shapes.rs`: The own shapes of strands: what each is at rest beside what its guides make of it, kept in the frames of its first guide.
 //! - `phase.rs`: The phase of a guide's curl: the angle by which its bend has rotated about the guide from point to point.
 //! - `pose.rs`: The guides of render hair at one moment.
 //! - `position.rs`: Strands mixed from their guides' positions, and blended into their wisps.
@@ -45,6 +46,7 @@ mod frames;
 mod guide_samples;
 mod image;
 mod lengths;
+pub mod own_shapes;
 mod phase;
 mod pose;
 mod position;
@@ -71,6 +73,7 @@ pub use settings::{MAX_GUIDES, MAX_POINTS, MAX_WISPS, RenderSettings, Space};
 
 use crate::workers::WorkerSet;
 use evaluate::EvaluateScratch;
+use own_shapes::OwnShapes;
 use profile::Profiles;
 use shape::Reference;
 use silhouette::Silhouette;
@@ -124,6 +127,8 @@ pub struct RenderHair {
     strands: Vec<RenderStrand>,
     /// Empty if positions are mixed.
     curls: Vec<RenderCurl>,
+    /// Of strands that have them.
+    own: Option<OwnShapes>,
     workers: WorkerSet<EvaluateScratch>,
 }
 
@@ -189,6 +194,7 @@ impl RenderHair {
             + 4 * floats
             + self.strands.capacity() * size_of::<RenderStrand>()
             + self.curls.capacity() * size_of::<RenderCurl>()
+            + self.own.as_ref().map_or(0, OwnShapes::memory_usage)
             + self.reference.guides * 56
             + 24 * self.reference.rest.capacity();
         bytes as u64

@@ -16,6 +16,7 @@ mod run_in_parts;
 mod scene_errors;
 mod scene_follicles;
 mod scene_grooms;
+mod scene_groups;
 mod scene_maps;
 mod scene_render_hair;
 mod scene_targets;

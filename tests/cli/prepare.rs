@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::support::{directory, errors, numbers, superhelix};
+use superhelix::io::Curves;
+
+use super::support::{difference, directory, errors, numbers, superhelix};
 
 /// Radius of the head, m.
 const HEAD: f32 = 0.09;
@@ -392,6 +394,15 @@ fn the_scene_runs_as_it_is_with_its_head_and_render_hair() {
         // The walk goes 1.2 m along z.
         assert!((end[2] - start[2] - 1.2).abs() < 0.05, "{start:?} {end:?}");
     }
+    // The first frame of the render hair is the strands as they were prepared, but for what the head keeps off and for their points being
+    // others: two millimetres and half the bulge of an edge.
+    let (made, prepared) =
+        (Curves::read(out.join("render/render.0001.hair")).unwrap(), Curves::read(out.join("strands.hair")).unwrap());
+    assert_eq!(made.strand_count(), prepared.strand_count());
+    let tip = |curves: &Curves, strand: usize| curves.strand(strand).last().unwrap().map(f64::from);
+    let apart = |strand| difference(&tip(&made, strand), &tip(&prepared, strand));
+    let far = (0..made.strand_count()).map(apart).fold(0.0, f64::max);
+    assert!(far < 2e-3, "{far}");
     let frames = std::fs::read_dir(out.join("render")).unwrap().count();
     assert_eq!(frames, times);
     // Nothing is replaced unless that is said.

@@ -122,6 +122,11 @@ fn a_scene_makes_the_render_hair_that_interpolate_makes_of_its_cache() {
             "render.usda",
             "--roots roots.obj",
         ),
+        (
+            json!({ "out": "render.usda", "roots": { "file": "roots.obj", "metres_per_unit": 1, "shapes": true } }),
+            "render.usda",
+            "--roots roots.obj --shapes",
+        ),
         (json!({ "out": "frames", "count": 30 }), "frames", "--count 30"),
     ];
     let mut all = Vec::new();
@@ -184,6 +189,56 @@ fn roots_stand_where_the_scalp_and_the_groom_are_in_the_scene() {
     let found = roots(json!({ "roots": { "file": "roots.obj", "metres_per_unit": 0.01, "pose": pose } }));
     let [x, y, z] = found[0];
     assert!(found.len() == 1 && (x - 0.05).abs() < 1e-6 && (y - 0.02).abs() < 1e-6 && (z + 0.01).abs() < 1e-6, "{found:?}");
+}
+
+/// At t = 0 the strands are those of the file, wherever the guides are and whatever is mixed; later they have moved, and are as long.
+#[test]
+fn strands_have_the_shapes_of_a_groom() {
+    let place = directory("shapes");
+    let wave = |k: usize, x: f64| {
+        let s = 0.25 * k as f64;
+        format!("v {x} {} {}\n", 0.3 * (7.0 * s).sin(), 5.0 * s)
+    };
+    let text: String = (0..3).flat_map(|strand| (0..=4).map(move |k| wave(k, 4.0 * strand as f64 - 3.0))).collect();
+    let lines: String =
+        (0..3).map(|strand| (1..=5).fold("l".into(), |line: String, k| format!("{line} {}", 5 * strand + k)) + "\n").collect();
+    std::fs::write(place.join("waves.obj"), text + &lines).unwrap();
+    let pose = json!({ "origin": [0.01, 0, 0] });
+    let roots = json!({ "file": "waves.obj", "metres_per_unit": 0.01, "pose": pose, "shapes": true });
+    let section =
+        json!({ "out": "render.usda", "roots": roots, "points": 65, "length_variation": 0, "frizz": 0.003, "curliness": 0.7 });
+    well(&run(&place, &section));
+    let cache = CurveCache::read(place.join("render.usda")).unwrap();
+    let (first, last, file) = (cache.frame(0).unwrap(), cache.frame(5).unwrap(), Curves::read(place.join("waves.obj")).unwrap());
+    for strand in 0..3 {
+        // Every sixteenth point is at a quarter of the length, close to a point of the file.
+        let wanted: Vec<[f64; 3]> = file
+            .strand(strand)
+            .iter()
+            .map(|[x, y, z]| [0.01 * f64::from(*x) + 0.01, 0.01 * f64::from(*y), 0.01 * f64::from(*z)])
+            .collect();
+        let length: f64 =
+            wanted.windows(2).map(|edge| (0..3).map(|k| (edge[1][k] - edge[0][k]).powi(2)).sum::<f64>().sqrt()).sum();
+        for point in first.strand(strand) {
+            let point = point.map(f64::from);
+            let to = |edge: &[[f64; 3]]| {
+                let along: [f64; 3] = std::array::from_fn(|k| edge[1][k] - edge[0][k]);
+                let from: [f64; 3] = std::array::from_fn(|k| point[k] - edge[0][k]);
+                let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
+                let share = (dot(from, along) / dot(along, along)).clamp(0.0, 1.0);
+                (0..3).map(|k| (from[k] - share * along[k]).powi(2)).sum::<f64>().sqrt()
+            };
+            let off = wanted.windows(2).map(to).fold(f64::INFINITY, f64::min);
+            assert!(off < 1e-6, "{strand}: {off}");
+        }
+        // What curls of the guides do to the way along it is looked at from point to point alone.
+        for (frame, permitted) in [(&first, 0.002), (&last, 0.03)] {
+            let found = frame.strand_length(strand) / length;
+            assert!((found - 1.0).abs() < permitted, "{strand}: {found}");
+        }
+        let (before, after) = (first.strand(strand)[64], last.strand(strand)[64]);
+        assert!((0..3).any(|k| (before[k] - after[k]).abs() > 0.01), "{before:?} {after:?}");
+    }
 }
 
 #[test]
@@ -281,6 +336,8 @@ fn bad_sections_are_named() {
     refuse(json!({}), "out", "is missing");
     std::fs::write(place.join("groom.obj"), "v 0 0 0\nv 0 0 1\nl 1 2\n").unwrap();
     refuse(json!({ "out": "render.usda", "roots": { "file": "groom.obj" } }), "roots.metres_per_unit", "is missing");
+    let no_truth = json!({ "file": "groom.obj", "metres_per_unit": 1, "shapes": 1 });
+    refuse(json!({ "out": "render.usda", "roots": no_truth }), "roots.shapes", "1");
     let groom = json!({ "file": "groom.obj", "metres_per_unit": 1 });
     refuse(json!({ "out": "render.usda", "roots": groom, "count": 7 }), "count", "7");
     refuse(json!({ "out": "render.usda", "roots": groom, "scalp": { "file": "square.obj" } }), "scalp", "roots");

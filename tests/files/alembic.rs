@@ -1,7 +1,7 @@
 //! Alembic files (Ogawa): curves under transforms, as Blender nests them, from a file that is written here by the format's layout; and
 //! files that are broken.
 
-use superhelix::io::{Curves, CurvesFormat};
+use superhelix::io::{Curves, CurvesFormat, StrandAttributes};
 
 /// What a place holds.
 enum Node {
@@ -74,6 +74,11 @@ fn array(pod: u32) -> u32 {
     2 | pod << 4
 }
 
+/// The same of several numbers a value.
+fn vectors(pod: u32, numbers: u32) -> u32 {
+    array(pod) | numbers << 12
+}
+
 /// An object of properties and of children with their names and metadata.
 fn object(properties: Node, children: Vec<(&str, &str, Node)>) -> Node {
     let (mut all, mut headers) = (vec![properties], Vec::new());
@@ -105,13 +110,20 @@ const XFORM: &str = "schemaObjTitle=AbcGeom_Xform_v3:.xform;schema=AbcGeom_Xform
 
 /// Two curves of two and three points; `kind` is their type, wrap and basis.
 fn curves(kind: [u8; 4], points: usize) -> Node {
+    curves_with(kind, points, Vec::new())
+}
+
+/// The same with further properties.
+fn curves_with(kind: [u8; 4], points: usize, further: Vec<(&str, u32, Node)>) -> Node {
     let numbers: Vec<f32> = (0..3 * points).map(|k| k as f32).collect();
     let counts = [2_u32, 3].iter().flat_map(|count| count.to_le_bytes()).collect::<Vec<u8>>();
-    let geometry = compound(vec![
+    let mut properties = vec![
         ("P", array(10), floats(&numbers)),
         ("nVertices", array(6), Group(vec![sample(counts), Data(Vec::new())])),
         ("curveBasisAndType", scalar(1), Group(vec![sample(kind)])),
-    ]);
+    ];
+    properties.extend(further);
+    let geometry = compound(properties);
     object(compound(vec![(".geom", COMPOUND, geometry)]), Vec::new())
 }
 
@@ -151,6 +163,42 @@ fn curves_stand_where_the_transforms_above_them_say() {
     let found =
         read(&archive(object(Nothing, vec![("above", XFORM, transform(&[0x30], &rows, curves(linear, 5)))]))).expect("curves");
     assert_eq!(found.points()[1], [3.0 + 7.0, 5.0, -4.0]);
+}
+
+#[test]
+fn parameters_of_curves_are_attributes() {
+    let whole = |numbers: &[i32]| Group(vec![sample(numbers.iter().flat_map(|number| number.to_le_bytes())), Data(Vec::new())]);
+    let indexed = compound(vec![(".vals", vectors(10, 1), floats(&[0.25, 0.5])), (".indices", vectors(5, 1), whole(&[1, 0]))]);
+    let parameters = compound(vec![
+        ("part", vectors(6, 1), whole(&[-3, 4])),
+        ("stiff", vectors(10, 1), floats(&[1.0, 9.0, 2.0, 9.0, 9.0])),
+        ("dye", vectors(10, 3), floats(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0])),
+        ("all", vectors(10, 1), floats(&[7.0])),
+        ("indexed", COMPOUND, indexed),
+        ("odd", vectors(10, 1), floats(&[1.0, 2.0, 3.0])),
+        ("word", vectors(12, 1), floats(&[1.0, 2.0])),
+    ]);
+    let further = vec![("width", vectors(10, 1), floats(&[0.1, 0.1, 0.2, 0.1, 0.1])), (".arbGeomParams", COMPOUND, parameters)];
+    let hair = || curves([1, 0, 0, 0], 5);
+    let top = object(Nothing, vec![("bare", CURVES, hair()), ("hair", CURVES, curves_with([1, 0, 0, 0], 5, further))]);
+    let bytes = archive(top);
+    let attributes = StrandAttributes::read_from_bytes("hair.abc", &bytes).expect("attributes");
+    let names: Vec<&str> = attributes.names().collect();
+    assert_eq!(names, ["width", "part", "stiff", "dye[0]", "dye[1]", "dye[2]", "all", "indexed"]);
+    for (name, expected) in
+        [("part", [-3.0, 4.0]), ("stiff", [1.0, 2.0]), ("dye[1]", [2.0, 5.0]), ("all", [7.0, 7.0]), ("indexed", [0.5, 0.25])]
+    {
+        let values = attributes.get(name).unwrap();
+        assert!(values.len() == 4 && values[..2].iter().all(|value| value.is_nan()), "{name}: {values:?}");
+        assert_eq!(values[2..], expected, "{name}");
+    }
+    for at in 0..bytes.len() {
+        for value in [0, 1, 0x80, 0xff] {
+            let mut damaged = bytes.clone();
+            damaged[at] = value;
+            let _ = StrandAttributes::read_from_bytes("hair.abc", &damaged);
+        }
+    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod motion;
 mod obj;
 mod obj_mesh;
 mod sequence;
+mod strand_attributes;
 mod strand_data;
 mod tfx;
 mod usd_mesh;

@@ -12,6 +12,7 @@ mod render_bodies;
 mod render_hair;
 mod render_image;
 mod render_looks;
+mod render_own_shapes;
 mod rest_shapes;
 mod scalp;
 mod wisp;

@@ -183,6 +183,7 @@ impl RenderHair {
             silhouette: Silhouette::new(reference.points, reference.stride),
             strands,
             curls,
+            own: None,
             workers: WorkerSet::new(&settings.workers)?,
             reference,
             settings,

@@ -285,6 +285,9 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
                 let range = 3 * stride * lane..3 * stride * (lane + 1);
                 mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
+                if let Some(own) = &hair.own {
+                    own.add(&hair.reference, &pose.now, index, strand, now);
+                }
                 let about = About { evaluation, shape: &pose.now, bodies: around[0], clearance, stride, count: points, size };
                 let moved = finish(hair, &about, strand, &roots, now, lengths, reach);
                 if let Some(earlier) = &earlier {
@@ -296,6 +299,9 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                     let roots = self::roots(earlier.shape, strand, root, view.origin);
                     let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
                     mix(hair, earlier.shape, strand, &roots, bent, before);
+                    if let Some(own) = &hair.own {
+                        own.add(&hair.reference, earlier.shape, index, strand, before);
+                    }
                     let about = About { shape: earlier.shape, bodies: around[1], ..about };
                     finish(hair, &about, strand, &roots, before, lengths_before, reach_before);
                     for (before, now) in before.iter_mut().zip(now.iter()) {
@@ -350,7 +356,7 @@ fn finish(
         keep_out(bodies, clearance, &mut Points { rows, stride, count, length, guide, guide_root, reach });
     }
     // Without either, a strand costs nothing more and keeps its bits.
-    let wanted = if hair.settings.preserve_length || pushed {
+    let wanted = if hair.settings.preserve_length || hair.own.is_some() || pushed {
         Wanted::Along(along, strand.length)
     } else if strand.length < 1.0 {
         Wanted::Fraction(strand.length)
@@ -363,7 +369,7 @@ fn finish(
 
 /// The position of a strand's root if it follows those of its guides.
 #[inline(always)]
-fn follow(shape: &Shape, strand: &RenderStrand) -> Vector3<f64> {
+pub(super) fn follow(shape: &Shape, strand: &RenderStrand) -> Vector3<f64> {
     let mut root = Vector3::zeros();
     for k in 0..MAX_GUIDES {
         let weight = strand.weights[k];
@@ -381,7 +387,7 @@ fn follow(shape: &Shape, strand: &RenderStrand) -> Vector3<f64> {
 }
 
 #[inline(always)]
-fn roots(shape: &Shape, strand: &RenderStrand, own: Vector3<f64>, origin: Vector3<f64>) -> Roots {
+pub(super) fn roots(shape: &Shape, strand: &RenderStrand, own: Vector3<f64>, origin: Vector3<f64>) -> Roots {
     let first = shape.origins[strand.guides[0] as usize];
     Roots {
         own: [0, 1, 2].map(|axis| (own[axis] - origin[axis]) as f32),

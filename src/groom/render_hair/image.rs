@@ -7,6 +7,7 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::RenderHair;
+use super::own_shapes::OwnShapes;
 use super::phase;
 use super::settings::{MAX_GUIDES, RenderSettings, Space};
 use super::shape::{Reference, Shape};
@@ -160,6 +161,9 @@ impl RenderHair {
             body.singles(curl.turns.iter().chain(&curl.halves).flatten());
             body.u32(u32::from(curl.curled));
         }
+        if let Some(own) = &self.own {
+            body.singles(own.numbers(&self.reference));
+        }
         let body = body.0;
         let mut image = Writer(MAGIC.to_vec());
         image.u32(RENDER_HAIR_VERSION);
@@ -233,10 +237,18 @@ impl RenderHair {
         let strands = body.count(4 * (STRAND_WORDS + if curved { CURL_WORDS } else { 0 }), "strands")?;
         let strands = (0..strands).map(|_| strand(&mut body, guides)).collect::<Result<Vec<_>>>()?;
         let curls = (0..if curved { strands.len() } else { 0 }).map(|_| curl(&mut body)).collect::<Result<Vec<_>>>()?;
-        if !body.0.is_empty() {
-            return Err(bad(format!("{} bytes are left over", body.0.len())));
+        // Own shapes are last, if strands have them.
+        let left = body.0.len();
+        let own = if left > 0 && left.is_multiple_of(4) {
+            let numbers = (0..left / 4).map(|_| Ok(body.singles::<1>()?[0])).collect::<Result<Vec<_>>>()?;
+            OwnShapes::from_numbers(&reference, strands.len(), &numbers)
+        } else {
+            None
+        };
+        if left > 0 && own.is_none() {
+            return Err(bad(format!("{left} bytes are left over")));
         }
-        Self::assembled(settings, reference, strands, curls)
+        Ok(Self { own, ..Self::assembled(settings, reference, strands, curls)? })
     }
 }
 

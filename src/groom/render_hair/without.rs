@@ -109,7 +109,9 @@ impl RenderHair {
                 *place = curl;
             }
         }
-        Self::assembled(self.settings.clone(), reference, strands, curls)
+        let mut made = Self::assembled(self.settings.clone(), reference, strands, curls)?;
+        made.own = self.own.as_ref().map(|own| own.rebound(self, &made, &orphans));
+        Ok(made)
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
+use superhelix::internals::groom::drawn::in_metres;
 use superhelix::io::{Curves, Extras, UpAxis, obj_mesh};
 use superhelix::render::{RenderSettings, Space};
 use superhelix::{Shape, Workers};
@@ -11,13 +12,13 @@ use superhelix::{Shape, Workers};
 use crate::groom::unit;
 use crate::render::guide_frames::GuideFrames;
 use crate::render::output::{OutputKind, RenderOutput};
-use crate::render::roots::{Ground, Places, Region, Scattering};
+use crate::render::roots::{Ground, OwnShapes, Places, Region, Scattering};
 use crate::render::run::{BoundHair, RenderRun};
 use crate::shell::argument_values::{not_negative, positive};
 use crate::shell::failure::Failure;
 use crate::surfaces::baked_body;
 use crate::surfaces::moving_scalp::{ScalpFiles, ScalpRequest};
-use crate::surfaces::region::{DensityArguments, groom_roots, in_flags};
+use crate::surfaces::region::{DensityArguments, in_flags};
 
 /// Makes render strands from few guides: interpolated at the root, gathered in wisps at the tip, as curly as the hair is.
 #[derive(Debug, Args)]
@@ -72,6 +73,10 @@ pub struct InterpolateArguments {
     /// Roots are those of another groom's strands (in the guides' units).
     #[arg(long, value_name = "GROOM", conflicts_with_all = ["scalp", "count"])]
     roots: Option<PathBuf>,
+    /// With --roots: while the guides are as in their first frame, strands are as that groom's, whatever is mixed; what distinguishes a strand
+    /// from its guides then goes with them.
+    #[arg(long, requires = "roots")]
+    shapes: bool,
     /// Points a strand.
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(2..=4096))]
     points: u32,
@@ -224,7 +229,9 @@ impl InterpolateArguments {
     /// What the strands grow on, of guides with such frames, metres a unit and perhaps an axis that points up.
     fn ground(&self, frames: &GuideFrames, scale: f64, up: Option<UpAxis>) -> Result<Ground, Failure> {
         if let Some(path) = &self.roots {
-            return Ok(Ground::Given(groom_roots(path, scale)?));
+            let own = if self.shapes { OwnShapes::Kept } else { OwnShapes::Mixed };
+            let curves = Curves::read(path)?;
+            return Ok(Ground::Given(curves.strands().map(|strand| in_metres(strand, scale)).collect(), own));
         }
         let count = self.count as usize;
         let Some(path) = &self.scalp else {

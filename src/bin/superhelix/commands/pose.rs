@@ -46,7 +46,7 @@ pub fn run(arguments: &PoseArguments) -> Result<(), Failure> {
         let document = json::parse(&scene::read_text(file)?).map_err(|complaint| Failure::scene(file, &complaint))?;
         // Named as they would be in a scene.
         let node = Node { key: "posing".into(), value: &document };
-        let operations = posing::read(&node).map_err(|complaint| Failure::scene(file, &complaint))?;
+        let operations = posing::read(&node, &scene.strands).map_err(|complaint| Failure::scene(file, &complaint))?;
         scene::do_posing(&mut scene, &operations).map_err(|complaint| Failure::scene(file, &complaint))?;
     }
     arguments.rest.apply(&mut scene, path)?;
@@ -61,7 +61,7 @@ pub fn run(arguments: &PoseArguments) -> Result<(), Failure> {
 }
 
 /// Keys of a strand that stand in place of others, or from which what is written here was made.
-const REPLACED: [&str; 6] = ["elements", "length", "groom", "hair", "follicles", "maps"];
+const REPLACED: [&str; 7] = ["elements", "length", "groom", "hair", "follicles", "only", "maps"];
 
 /// Writes the document with the scene's strands.
 fn write(path: &Path, mut document: Value, scene: &Scene) -> Result<(), Failure> {
@@ -70,6 +70,12 @@ fn write(path: &Path, mut document: Value, scene: &Scene) -> Result<(), Failure>
     if let Value::Object(map) = &mut document {
         map.insert("strands".into(), Value::Array(strands));
         map.remove("posing");
+        // Each strand is an item now, and images are not drawn.
+        if let Some(targets) = map.get_mut("targets").and_then(Value::as_array_mut) {
+            for (target, made) in targets.iter_mut().zip(&scene.targets) {
+                target["strands"] = json!(made.strands());
+            }
+        }
     }
     let mut file = AtomicFile::create(path)?;
     let text = serde_json::to_string_pretty(&document).map_err(|error| Failure::Other(error.to_string()))?;

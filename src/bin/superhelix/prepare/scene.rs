@@ -184,7 +184,7 @@ fn scene_of(arguments: &PrepareArguments, contact: &StrandContact, body: Option<
         "render_hair": {
             "out": RENDER,
             "overwrite": true,
-            "roots": { "file": STRANDS, "metres_per_unit": 1.0 },
+            "roots": { "file": STRANDS, "metres_per_unit": 1.0, "shapes": true },
             "points": arguments.points,
             "curliness": 0.0,
             "wisps": 1,

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use superhelix::internals::groom::render_hair::own_shapes::with_own_shapes;
 use superhelix::io::Extras;
 use superhelix::render::{GuideSamples, RenderHair, RenderSettings};
 use superhelix::{Error, Shape};
@@ -27,6 +28,10 @@ impl BoundHair {
         let begun = Instant::now();
         let normals = places.normals.as_deref();
         let hair = RenderHair::bind_on(settings, &GuideSamples::at_rest(&rest.points), &places.roots, normals)?;
+        let hair = match &places.shapes {
+            Some(shapes) => with_own_shapes(hair, shapes)?,
+            None => hair,
+        };
         Ok(Self { hair, places, seconds: begun.elapsed().as_secs_f64() })
     }
 }

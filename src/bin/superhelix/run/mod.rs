@@ -181,7 +181,7 @@ fn simulate(
     let deforming: Vec<_> =
         things.bodies.iter().zip(&scene.colliders).filter_map(|(id, body)| Some((*id, body.deformation.as_ref()?))).collect();
 
-    let mut result = RunResult::new(things, &scene.outputs);
+    let mut result = RunResult::new(things, scene);
     let mut report = Report::default();
     let mut record = |time: f64, solver: &Solver| -> Result<(), Failure> {
         files.write(time, solver, &things.strands)?;

@@ -8,7 +8,7 @@ use superhelix::{
 };
 
 use crate::run::things::Things;
-use crate::scene::{Output, Request};
+use crate::scene::{Output, Request, Scene};
 use crate::stepping::report::Report;
 
 /// One list entry an output time.
@@ -92,6 +92,9 @@ struct StateEntry {
 /// What was asked for of one strand; one entry an output time in every list.
 #[derive(Debug, Serialize)]
 struct StrandResult {
+    /// That of its item in the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     tips: Series<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -123,12 +126,15 @@ struct WrenchEntry {
 
 impl RunResult {
     /// An empty result for a scene's things.
-    pub fn new(things: &Things, requests: &[Request]) -> Self {
+    pub fn new(things: &Things, scene: &Scene) -> Self {
+        let requests = &scene.outputs;
         let asked = |output: Output| requests.iter().any(|request| request.output == output);
         let strands = things
             .strands
             .iter()
-            .map(|_| StrandResult {
+            .enumerate()
+            .map(|(index, _)| StrandResult {
+                name: scene.strands.get(index).and_then(|strand| strand.name.as_deref().map(str::to_owned)),
                 tips: asked(Output::Tips).then(Vec::new),
                 points: asked(Output::Points).then(Vec::new),
                 frames: asked(Output::Frames).then(Vec::new),

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use nalgebra::Vector3;
 use superhelix::editing::Stiffening;
 use superhelix::hair::{DrawnCurve, Fit, FitCurve, FitOptions, NaturalShape, fit_curves};
 use superhelix::io::Curves;
@@ -9,6 +10,7 @@ use superhelix::{Frame, GroomOptions, MAX_ELEMENTS, Material, Result as Outcome,
 
 use super::colliders::{file_complaint, path_of};
 use super::maps::{MappedContact, Maps};
+use super::only::Only;
 use super::pose::read_pose;
 use super::words::in_words_of_the_scene;
 use crate::groom::unit;
@@ -25,11 +27,13 @@ fn read_wisp(node: &Node) -> Result<Wisp, Complaint> {
     Ok(wisp)
 }
 
-/// Reads `groom`: the strands, wisps of such hairs, or what `maps` say of them, that hang, or are drawn, as the file's curves under the gravity of `options`.
+/// Reads `groom`: the strands, wisps of such hairs, or what `maps` say of them, that hang, or are drawn, as the file's curves, or `only` some
+/// of them, under the gravity of `options`.
 pub fn read(
     node: &Node,
     hair: Material,
     maps: Option<&Maps>,
+    only: Option<&Only>,
     options: &SolverOptions,
     directory: &Path,
 ) -> Result<Vec<(StrandDef, MappedContact)>, Complaint> {
@@ -50,7 +54,13 @@ pub fn read(
     let material = wisp.material(&hair).map_err(in_words_of_the_scene)?;
     let margin = wisp.margin().filter(|_| natural == NaturalShape::SagFree);
 
-    let polylines = unit::drawn(&curves, every, scale);
+    let place = |point: &Vector3<f64>| pose.origin + pose.rotation * point;
+    let mut polylines = unit::drawn(&curves, every, scale);
+    if let Some(only) = only {
+        let all = polylines.iter().map(|curve| curve.index);
+        let chosen = only.among(all, curves.strand_count(), |index| place(&polylines[index / every].points[0]))?;
+        polylines.retain(|curve| chosen.binary_search(&curve.index).is_ok());
+    }
     let inputs: Vec<FitCurve<'_>> = polylines.iter().map(DrawnCurve::fit_curve).collect();
     let fits = fit_curves(&inputs, &FitOptions { tolerance, ..FitOptions::elements(elements) }, &options.workers)
         .map_err(in_words_of_the_scene)?;
@@ -62,14 +72,15 @@ pub fn read(
         ..GroomOptions::of(material)
     };
     let strand = |(DrawnCurve { index, .. }, fit): (&DrawnCurve, Outcome<Fit>)| {
-        let made = fit.and_then(|fit| {
-            let root = pose.compose(&fit.root);
-            let mapped = maps.map(|maps| maps.at(&root.origin)).unwrap_or_default();
-            let recipe = GroomOptions { material: wisp.material(&mapped.material(hair))?, ..recipe };
-            let (definition, _) = recipe.definition(*index, Fit { root, ..fit })?;
-            Ok((definition, mapped.contact()))
-        });
-        made.map_err(|because| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value)))
+        let refused =
+            |because: superhelix::Error| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value));
+        let fit = fit.map_err(refused)?;
+        let root = pose.compose(&fit.root);
+        let mapped = maps.map(|maps| maps.at(&root.origin, *index)).transpose()?.unwrap_or_default();
+        let material = wisp.material(&mapped.material(hair)).map_err(refused)?;
+        let recipe = GroomOptions { material, ..recipe };
+        let (definition, _) = recipe.definition(*index, Fit { root, ..fit }).map_err(refused)?;
+        Ok((definition, mapped.contact()))
     };
     polylines.iter().zip(fits).map(strand).collect()
 }

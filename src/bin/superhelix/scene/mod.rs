@@ -10,8 +10,10 @@
 //! - `groom.rs`: `groom` of a strand: a file of curves, in whose place stands a strand for each of them, fitted.
 //! - `groups.rs`: `groups`: names for the groups of what touches, a bit each.
 //! - `hair.rs`: `hair` of a strand: a measured kind, sliders and variation, from which what the strand does not say itself is taken.
-//! - `maps.rs`: `maps` of a strand: parameters that vary from root to root, as they are painted on a mesh or listed for its vertices.
+//! - `maps.rs`: `maps` of a strand: parameters that vary from root to root.
 //! - `motions.rs`: `motions`: poses over time that have a name, so that roots, colliders and targets share them.
+//! - `named.rs`: `name` of items of `strands`, by which other keys say which strands they mean.
+//! - `only.rs`: `only` of an item: which strands of its groom, or which of its follicles, it stands for.
 //! - `options.rs`: The keys of a scene that say how it is stepped.
 //! - `outputs.rs`: `output`: what a scene asks to be written.
 //! - `pose.rs`: Poses and motions, of roots, colliders and targets.
@@ -19,6 +21,7 @@
 //! - `posing.rs`: `posing`: what is done to the strands before a run begins.
 //! - `render_hair.rs`: `render_hair`: strands to be drawn, which follow those of the scene and are written as it runs.
 //! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
+//! - `root_values.rs`: Values at the roots of an item's strands: painted on a mesh, listed for its vertices, or attributes of the file that the strands come from.
 //! - `strands.rs`: `strands`: what each is made from, and how its root moves.
 //! - `targets.rs`: `targets`: curves to which strands are drawn, over time or as the strands start.
 //! - `timeline.rs`: When states are written and which steps lead there.
@@ -35,6 +38,8 @@ mod groups;
 mod hair;
 mod maps;
 mod motions;
+mod named;
+mod only;
 pub mod options;
 pub mod outputs;
 pub mod pose;
@@ -42,6 +47,7 @@ mod posed;
 pub mod posing;
 pub mod render_hair;
 pub mod rest_arguments;
+mod root_values;
 mod strands;
 pub mod targets;
 pub mod timeline;
@@ -188,7 +194,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     let targets = scene.or("targets", Vec::new(), |list| targets::read(list, &strands, directory))?;
     targets.iter().for_each(|target| target.place(&mut strands));
     let (outputs, samples) = outputs::read(&scene)?;
-    let posing = scene.or("posing", Vec::new(), posing::read)?;
+    let posing = scene.or("posing", Vec::new(), |list| posing::read(list, &strands))?;
     let wanted = scene.get_unless_null("render_hair");
     let mut scene = Scene {
         options,

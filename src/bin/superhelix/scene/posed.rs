@@ -128,14 +128,16 @@ impl Posing {
     fn take_back(self, scene: &mut Scene) -> Result<()> {
         let Self { solver, ids, images } = self;
         for of in images {
-            let SceneStrand { definition, contact, mapped, item, .. } = &scene.strands[of];
+            let SceneStrand { definition, contact, mapped, item, name, .. } = &scene.strands[of];
             let definition = StrandDef {
                 root_velocity: nalgebra::Vector3::zeros(),
                 root_angular_velocity: nalgebra::Vector3::zeros(),
                 ..definition.clone()
             };
+            let name = name.clone();
             scene.strands.push(SceneStrand {
                 definition,
+                name,
                 motion: None,
                 item: *item,
                 contact: *contact,

@@ -5,6 +5,7 @@ use superhelix::editing::{Brush, ElementChange, Growth, Plane, Stiffening};
 use superhelix::{MAX_ELEMENTS, Material};
 
 use super::words::in_words_of_the_scene;
+use super::{SceneStrand, named};
 use crate::groom::stiffening_arguments::STIFFENINGS;
 use crate::shell::json::{Complaint, Entries, Node};
 
@@ -105,12 +106,12 @@ const KEYS: [(&str, &[&str]); 8] = [
     ("take", &["shape", "stiffen", "margin"]),
 ];
 
-/// Reads a list of operations.
-pub fn read(node: &Node) -> Result<Vec<Operation>, Complaint> {
-    node.list()?.iter().map(read_one).collect()
+/// Reads a list of operations on a scene's strands.
+pub fn read(node: &Node, strands: &[SceneStrand]) -> Result<Vec<Operation>, Complaint> {
+    node.list()?.iter().map(|node| read_one(node, strands)).collect()
 }
 
-fn read_one(node: &Node) -> Result<Operation, Complaint> {
+fn read_one(node: &Node, strands: &[SceneStrand]) -> Result<Operation, Complaint> {
     let every: Vec<&str> = KEYS.iter().flat_map(|(_, keys)| keys.iter().copied()).chain(["do", "strands"]).collect();
     let named = node.object(&every)?;
     let names = KEYS.map(|(name, _)| (name, name));
@@ -118,6 +119,9 @@ fn read_one(node: &Node) -> Result<Operation, Complaint> {
     let (_, keys) = KEYS.iter().find(|(known, _)| *known == name).unwrap_or(&KEYS[0]);
     let entries = node.object(&[&["do", "strands"], *keys].concat())?;
     let strands = entries.get_unless_null("strands").map(|list| {
+        if list.value.is_string() {
+            return named::of_name(list, strands);
+        }
         list.list()?
             .iter()
             .map(|item| Ok(item.whole(0..=u64::from(u32::MAX))? as usize))

@@ -12,7 +12,7 @@ use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use crate::groom::unit;
 use crate::render::output::OutputKind;
-use crate::render::roots::{Ground, Region, Scattering};
+use crate::render::roots::{Ground, OwnShapes, Region, Scattering};
 use crate::scene::timeline;
 use crate::shell::failure::Failure;
 use crate::shell::json::{Complaint, Entries, Node};
@@ -201,14 +201,16 @@ fn read_ground(entries: &Entries, times: &[Option<f64>], directory: &Path) -> Re
 
 /// The roots of a groom's strands.
 fn read_roots(node: &Node, directory: &Path) -> Result<Ground, Complaint> {
-    let entries = node.object(&["file", "metres_per_unit", "pose"])?;
+    let entries = node.object(&["file", "metres_per_unit", "pose", "shapes"])?;
     let file = entries.require("file")?;
     let curves = Curves::read(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
     let flag = entries.get("metres_per_unit").map(Node::positive).transpose()?;
     let missing = || Complaint::new(entries.path("metres_per_unit"), "is missing, and the file does not say its unit");
     let scale = unit::stated(flag, &curves).ok_or_else(missing)?;
     let placed = Placement { scale, pose: entries.get_unless_null("pose").map(read_pose).transpose()? };
-    Ok(Ground::Given(curves.strands().map(|strand| placed.place(&strand[0].map(f64::from).into())).collect()))
+    let own = if entries.or("shapes", false, Node::truth)? { OwnShapes::Kept } else { OwnShapes::Mixed };
+    let place = |point: &[f32; 3]| placed.place(&point.map(f64::from).into());
+    Ok(Ground::Given(curves.strands().map(|strand| strand.iter().map(place).collect()).collect(), own))
 }
 
 /// Keys of a scalp that say how densely roots stand, the most likely to be wrong first.

@@ -1,6 +1,7 @@
 //! `strands`: what each is made from, and how its root moves.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -9,9 +10,10 @@ use superhelix::{Frame, Freedoms, MAX_ELEMENTS, Material, SolverOptions, StrandC
 
 use super::maps::{MappedContact, Maps};
 use super::motions::Motions;
+use super::only::Only;
 use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
 use super::words::in_words_of_the_scene;
-use super::{follicles, groom, hair};
+use super::{follicles, groom, hair, named};
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// A strand and how its root moves.
@@ -23,6 +25,8 @@ pub struct SceneStrand {
     pub motion: Option<RootMotion>,
     /// Which item of the file's list it comes from.
     pub item: usize,
+    /// The name of the item, if it has one.
+    pub name: Option<Arc<str>>,
     /// What it is to contact, where there is anything to touch.
     pub contact: Option<StrandContact>,
     /// What maps say of its contact.
@@ -35,18 +39,12 @@ pub struct SceneStrand {
 const MATERIAL: [&str; 7] =
     ["radius", "density", "youngs_modulus", "poisson_ratio", "internal_friction", "viscosity", "air_drag"];
 
-/// What only a strand that is no groom's may say of its shape and place; and contact.
-const OF_ITS_OWN: [&str; 9] = [
-    "natural_curvatures",
-    "initial_curvatures",
-    "initial_rates",
-    "freedoms",
-    "root",
-    "follicles",
-    "root_motion",
-    "contact",
-    "maps",
-];
+/// What only a strand that is no groom's may say of its shape and place.
+const OF_ITS_OWN: [&str; 7] =
+    ["natural_curvatures", "initial_curvatures", "initial_rates", "freedoms", "root", "follicles", "root_motion"];
+
+/// What any item may say beside that.
+const OF_ANY: [&str; 4] = ["name", "only", "contact", "maps"];
 
 /// Reads item number `item` of `strands`, but for its contact: one strand, one at each of its follicles, or those of a groom. `directory` is
 /// where files are that it names.
@@ -60,14 +58,18 @@ pub fn read(
     if node.value.get("groom").is_none_or(Value::is_null) {
         return read_own(node, item, motions, directory);
     }
-    let strands = node.object(&[&MATERIAL[..], &["groom", "contact", "maps"]].concat())?;
+    let strands = node.object(&[&MATERIAL[..], &["groom"], &OF_ANY].concat())?;
+    let name = named::read(node)?;
     let material = read_material(&strands, Material::default())?;
-    let maps = strands.get_unless_null("maps").map(|maps| Maps::read(maps, None, true, directory)).transpose()?;
-    let made = groom::read(strands.require("groom")?, material, maps.as_ref(), options, directory)?;
+    let groom = strands.require("groom")?;
+    let file = Node { key: format!("{}.file", groom.key), value: &groom.value["file"] };
+    let only = strands.get_unless_null("only").map(|only| Only::read(only, None, Some(&file), directory)).transpose()?;
+    let maps = strands.get_unless_null("maps").map(|maps| Maps::read(maps, None, Some(&file), directory)).transpose()?;
+    let made = groom::read(groom, material, maps.as_ref(), only.as_ref(), options, directory)?;
     let strand = |(definition, mapped): (StrandDef, MappedContact)| {
         definition.check(&node.key).map_err(in_words_of_the_scene)?;
         mapped.check(&format!("{}.maps", node.key))?;
-        Ok(SceneStrand { definition, motion: None, item, contact: None, mapped, image_of: None })
+        Ok(SceneStrand { definition, motion: None, item, name: name.clone(), contact: None, mapped, image_of: None })
     };
     made.into_iter().map(strand).collect()
 }
@@ -85,23 +87,33 @@ fn read_material(strand: &Entries, defaults: Material) -> Result<Material, Compl
 }
 
 fn read_own(node: &Node, item: usize, motions: &Motions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
-    let strand =
-        node.object(&[&["elements", "length", "element_lengths", "groom", "hair"][..], &MATERIAL, &OF_ITS_OWN].concat())?;
+    let strand = node
+        .object(&[&["elements", "length", "element_lengths", "groom", "hair"][..], &MATERIAL, &OF_ITS_OWN, &OF_ANY].concat())?;
     let follicles = strand.get_unless_null("follicles");
     let places = match (follicles, strand.get("root")) {
         (Some(_), Some(root)) => return Err(root.complain("no such key beside follicles, which say where the roots are")),
         (Some(follicles), None) => follicles::read(follicles, directory)?,
         (None, root) => vec![root.map_or(Ok(Frame::default()), read_pose)?],
     };
+    let name = named::read(node)?;
     let element_lengths = read_lengths(&strand)?;
     let hair = strand.get_unless_null("hair").map(hair::read).transpose()?;
     let motion = strand.get_unless_null("root_motion").map(|node| read_root_motion(node, motions)).transpose()?;
-    let maps = strand.get_unless_null("maps").map(|maps| Maps::read(maps, follicles, false, directory)).transpose()?;
-    let one = |(number, place): (usize, &Frame)| {
+    let maps = strand.get_unless_null("maps").map(|maps| Maps::read(maps, follicles, None, directory)).transpose()?;
+    let chosen = match strand.get_unless_null("only") {
+        Some(only) if follicles.is_none() => return Err(only.complain("no such key without groom or follicles")),
+        Some(only) => {
+            let only = Only::read(only, follicles, None, directory)?;
+            only.among(0..places.len(), places.len(), |number| places[number].origin)?
+        }
+        None => (0..places.len()).collect(),
+    };
+    let one = |number: usize| {
+        let place = &places[number];
         // The mesh of follicles moves with them.
         let moves = motion.as_ref().filter(|_| follicles.is_none());
         let root = moves.map_or(place.origin, |motion| motion.at(0.0).origin);
-        let mapped = maps.as_ref().map(|maps| maps.at(&root)).unwrap_or_default();
+        let mapped = maps.as_ref().map(|maps| maps.at(&root, number)).transpose()?.unwrap_or_default();
         let element_lengths = mapped.lengths(&element_lengths);
         let hair = hair.as_ref().map(|hair| hair.strand(number as u64, &element_lengths)).transpose()?;
         let mut definition = read_definition(&strand, element_lengths, hair.as_ref())?;
@@ -126,9 +138,9 @@ fn read_own(node: &Node, item: usize, motions: &Motions, directory: &Path) -> Re
         definition.check(&node.key).map_err(in_words_of_the_scene)?;
         let mapped = mapped.contact();
         mapped.check(&format!("{}.maps", node.key))?;
-        Ok(SceneStrand { definition, motion, item, contact: None, mapped, image_of: None })
+        Ok(SceneStrand { definition, motion, item, name: name.clone(), contact: None, mapped, image_of: None })
     };
-    places.iter().enumerate().map(one).collect()
+    chosen.into_iter().map(one).collect()
 }
 
 /// A strand at the origin.

@@ -1,6 +1,5 @@
 //! `targets`: curves to which strands are drawn, over time or as the strands start.
 
-use std::ops::Range;
 use std::path::Path;
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -8,9 +7,9 @@ use superhelix::editing::TargetDef;
 use superhelix::io::Curves;
 use superhelix::{Frame, Solver, StrandId};
 
-use super::SceneStrand;
 use super::colliders::{file_complaint, path_of};
 use super::pose::{Moves, read_pose, read_times};
+use super::{SceneStrand, named};
 use crate::groom::unit;
 use crate::shell::json::{Complaint, Entries, Node};
 
@@ -21,7 +20,7 @@ const MOST_POINTS: usize = 257;
 /// What some strands are drawn to.
 #[derive(Debug)]
 pub struct SceneTarget {
-    strands: Range<usize>,
+    strands: Vec<usize>,
     shape: Shape,
     weights: Vec<[f64; 2]>,
     time_constant: f64,
@@ -40,7 +39,8 @@ pub fn read(list: &Node, strands: &[SceneStrand], directory: &Path) -> Result<Ve
     let mut targets: Vec<SceneTarget> = Vec::new();
     for node in list.list()? {
         let target = read_one(&node, strands, directory)?;
-        if targets.iter().any(|other| other.strands.start < target.strands.end && target.strands.start < other.strands.end) {
+        let drawn = |strand| targets.iter().any(|other| other.strands.binary_search(strand).is_ok());
+        if target.strands.iter().any(drawn) {
             return Err(node.complain("strands that no target before it draws"));
         }
         targets.push(target);
@@ -51,15 +51,9 @@ pub fn read(list: &Node, strands: &[SceneStrand], directory: &Path) -> Result<Ve
 fn read_one(node: &Node, strands: &[SceneStrand], directory: &Path) -> Result<SceneTarget, Complaint> {
     let keys = ["strands", "weights", "time_constant", "times", "files", "points", "metres_per_unit", "every", "pose"];
     let entries = node.object(&keys)?;
-    let range = match entries.get_unless_null("strands") {
-        None => 0..strands.len(),
-        Some(item) => {
-            let items = strands.last().map_or(0, |strand| strand.item as u64 + 1);
-            let Some(last) = items.checked_sub(1) else { return Err(item.complain("none: there are no strands")) };
-            let wanted = item.whole(0..=last)? as usize;
-            let first = strands.partition_point(|strand| strand.item < wanted);
-            first..first + strands[first..].partition_point(|strand| strand.item == wanted)
-        }
+    let drawn = match entries.get_unless_null("strands") {
+        None => (0..strands.len()).collect(),
+        Some(items) => named::of_items(items, strands)?,
     };
     let usual = TargetDef::default();
     let weights = entries.or("weights", usual.weights.to_vec(), |node| node.list()?.iter().map(Node::numbers).collect())?;
@@ -73,7 +67,7 @@ fn read_one(node: &Node, strands: &[SceneStrand], directory: &Path) -> Result<Sc
             }
             Shape::Start
         }
-        Some(times) => read_samples(times, &entries, &strands[range.clone()], directory)?,
+        Some(times) => read_samples(times, &entries, drawn.len(), directory)?,
     };
     let any = [Vector3::zeros(), Vector3::x()];
     let checked = TargetDef { points: &any, weights: &weights, time_constant, ..usual };
@@ -81,10 +75,10 @@ fn read_one(node: &Node, strands: &[SceneStrand], directory: &Path) -> Result<Sc
         superhelix::Error::InvalidArgument { argument, value, expected } => Complaint::value(argument, value, expected),
         other => Complaint::new(&node.key, other.to_string()),
     })?;
-    Ok(SceneTarget { strands: range, shape, weights, time_constant })
+    Ok(SceneTarget { strands: drawn, shape, weights, time_constant })
 }
 
-fn read_samples(times_node: &Node, entries: &Entries, strands: &[SceneStrand], directory: &Path) -> Result<Shape, Complaint> {
+fn read_samples(times_node: &Node, entries: &Entries, strands: usize, directory: &Path) -> Result<Shape, Complaint> {
     let times = read_times(times_node)?;
     if let (Some(_), Some(points)) = (entries.get("files"), entries.get("points")) {
         return Err(points.complain("no such key beside files"));
@@ -111,8 +105,8 @@ fn read_samples(times_node: &Node, entries: &Entries, strands: &[SceneStrand], d
             item.list()?.iter().map(curve).collect::<Result<_, _>>()?
         };
         curves.iter_mut().flatten().for_each(|point| *point = pose.origin + pose.rotation * *point);
-        if curves.len() != strands.len() {
-            let expected = format!("{}, one for each strand", strands.len());
+        if curves.len() != strands {
+            let expected = format!("{strands}, one for each strand");
             return Err(Complaint::value(&item.key, format!("of {} curves", curves.len()), expected));
         }
         for (number, curve) in curves.iter().enumerate() {
@@ -146,11 +140,20 @@ fn direction(curve: &[Vector3<f64>]) -> Vector3<f64> {
 }
 
 impl SceneTarget {
+    /// The strands that it draws.
+    pub fn strands(&self) -> &[usize] {
+        &self.strands
+    }
+
     /// Puts roots that have no motion of their own where the curves are at the start.
     pub fn place(&self, strands: &mut [SceneStrand]) {
         let Shape::Sampled { times, samples } = &self.shape else { return };
         let curves = between(times, samples, 0.0);
-        for (k, strand) in strands[self.strands.clone()].iter_mut().enumerate().filter(|(_, strand)| strand.motion.is_none()) {
+        for (k, strand) in self.strands.iter().enumerate() {
+            let strand = &mut strands[*strand];
+            if strand.motion.is_some() {
+                continue;
+            }
             strand.definition.root = follow(&strand.definition.root, &samples[0][k], &curves[k]);
         }
     }
@@ -177,7 +180,7 @@ impl<'a> DrawnStrands<'a> {
         let (mut roots, mut local) = (Vec::new(), Vec::new());
         match &target.shape {
             Shape::Start => {
-                for id in &ids[target.strands.clone()] {
+                for id in target.strands.iter().map(|strand| &ids[*strand]) {
                     let inverse = solver.root_frame(*id)?.inverse();
                     let count = (POINTS_PER_ELEMENT * solver.curvatures(*id)?.len() + 1).min(MOST_POINTS);
                     let mut curve = Vec::with_capacity(count);
@@ -189,9 +192,8 @@ impl<'a> DrawnStrands<'a> {
             }
             Shape::Sampled { times, samples } => {
                 let curves = between(times, samples, 0.0);
-                for (k, strand) in
-                    strands[target.strands.clone()].iter().enumerate().filter(|(_, strand)| strand.motion.is_none())
-                {
+                let free = target.strands.iter().map(|strand| &strands[*strand]).enumerate();
+                for (k, strand) in free.filter(|(_, strand)| strand.motion.is_none()) {
                     roots.push((k, follow(&strand.definition.root, &curves[k], &samples[0][k])));
                 }
             }
@@ -216,8 +218,8 @@ impl<'a> DrawnStrands<'a> {
     ) -> superhelix::Result<()> {
         let curves = self.curves(time, solver, strands, ids)?;
         if let Shape::Sampled { samples, .. } = &self.target.shape {
-            let own = &ids[self.target.strands.clone()];
-            let moved = |(k, root): &(usize, Frame)| (own[*k], follow(root, &samples[0][*k], &curves[*k]));
+            let own = |k: usize| ids[self.target.strands[k]];
+            let moved = |(k, root): &(usize, Frame)| (own(*k), follow(root, &samples[0][*k], &curves[*k]));
             let (ids, frames): (Vec<StrandId>, Vec<Frame>) = self.roots.iter().map(moved).unzip();
             solver.set_root_frames(&ids, &frames, over_seconds)?;
         }
@@ -235,10 +237,10 @@ impl<'a> DrawnStrands<'a> {
             return Ok(between(times, samples, time));
         }
         let mut curves = Vec::with_capacity(self.local.len());
-        for (index, local) in self.target.strands.clone().zip(&self.local) {
-            let root = match &strands[index].motion {
+        for (index, local) in self.target.strands.iter().zip(&self.local) {
+            let root = match &strands[*index].motion {
                 Some(motion) => motion.at(time),
-                None => solver.root_frame(ids[index])?,
+                None => solver.root_frame(ids[*index])?,
             };
             curves.push(local.iter().map(|point| root.origin + root.rotation * point).collect());
         }
@@ -255,6 +257,7 @@ impl<'a> DrawnStrands<'a> {
         let SceneTarget { strands, weights, time_constant, .. } = self.target;
         let def = |points| TargetDef { points, weights, time_constant: *time_constant, ..TargetDef::default() };
         let defs: Vec<TargetDef> = curves.iter().map(|curve| def(curve)).collect();
-        solver.set_targets(&ids[strands.clone()], &defs, over_seconds)
+        let drawn: Vec<StrandId> = strands.iter().map(|strand| ids[*strand]).collect();
+        solver.set_targets(&drawn, &defs, over_seconds)
     }
 }

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde::Serialize;
-use superhelix::io::{Curves, UpAxis};
+use superhelix::io::{Curves, StrandAttributes, UpAxis};
 
 use crate::commands::info::suggested::Suggested;
 use crate::groom::statistics::{GroomStatistics, Spread};
@@ -43,11 +43,38 @@ struct Answer {
     #[serde(flatten)]
     statistics: GroomStatistics,
     held_points: Option<usize>,
+    /// Numbers of strands, by name, for maps and groups of scenes.
+    attributes: Vec<AttributeAnswer>,
     /// What the file says, if it does.
     metres_per_unit: Option<f64>,
     up: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     suggested: Option<Suggested>,
+}
+
+#[derive(Debug, Serialize)]
+struct AttributeAnswer {
+    name: String,
+    min: f64,
+    max: f64,
+    /// How many numbers differ.
+    different: usize,
+    /// Strands without such a number.
+    without: usize,
+}
+
+/// The attributes that any strand has, and between what their numbers are.
+fn attributes_of(all: &StrandAttributes) -> Vec<AttributeAnswer> {
+    let answer = |name: &str| {
+        let values = all.get(name)?;
+        let mut numbers: Vec<f64> = values.iter().copied().filter(|value| !value.is_nan()).collect();
+        let without = values.len() - numbers.len();
+        numbers.sort_by(f64::total_cmp);
+        numbers.dedup();
+        let (min, max) = (*numbers.first()?, *numbers.last()?);
+        Some(AttributeAnswer { name: name.to_owned(), min, max, different: numbers.len(), without })
+    };
+    all.names().filter_map(answer).collect()
 }
 
 /// Runs the command.
@@ -64,6 +91,7 @@ pub fn run(arguments: &InfoArguments) -> Result<(), Failure> {
         file: arguments.groom.display().to_string(),
         format: curves.format().name(),
         statistics: GroomStatistics::of(&curves),
+        attributes: attributes_of(&StrandAttributes::read(&arguments.groom)?),
         metres_per_unit: curves.extras().metres_per_unit,
         up: curves.extras().up.map(|up| if up == UpAxis::Y { "y" } else { "z" }),
         suggested,
@@ -96,6 +124,12 @@ fn in_words(answer: &Answer) -> String {
     );
     if let Some(held) = answer.held_points {
         text += &format!("held points           {held}\n");
+    }
+    for AttributeAnswer { name, min, max, different, without } in &answer.attributes {
+        let values =
+            if different == &1 { short(*min) } else { format!("{} to {}, {different} different", short(*min), short(*max)) };
+        let lack = if *without > 0 { format!("; {without} strands have none") } else { String::new() };
+        text += &format!("attribute             {name}: {values}{lack}\n");
     }
     if let (Some(unit), Some(up)) = (answer.metres_per_unit, answer.up) {
         text += &format!("unit                  {unit} m, {up} up: the file says so\n");
