@@ -303,7 +303,7 @@ pub struct BodyAt<'a> {
     /// A box around the shape (without its thickness) during the substep, world.
     pub bounds: Bounds,
     /// The angle by which it turns, rad.
-    pub(super) turn: f64,
+    pub turn: f64,
     /// The largest distance of its shape from its pose's origin, m; 0 for an infinite shape.
     pub radius: f64,
     pub(super) axes_start: Matrix3<f64>,

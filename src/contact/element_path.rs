@@ -4,10 +4,11 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::body::BodyAt;
 use super::contact_point::StrandCurve;
+use super::shape::Separator;
 use crate::math::entire::Stumpff;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
-use crate::rod::kinematics::ElementState;
+use crate::rod::kinematics::{ElementState, off_chord};
 use crate::rod::segment;
 
 /// An element's helix in the body's axes.
@@ -53,6 +54,11 @@ impl Helix {
         (self.kappa_squared - self.kappa.0[0] * self.kappa.0[0]).max(0.0).sqrt()
     }
 
+    /// How far its points are off its chord at most, m, each from the point of the chord at the same fraction.
+    fn off_chord(&self) -> f64 {
+        off_chord(self.kappa_squared, self.length)
+    }
+
     /// Position and unit tangent at an arclength.
     #[inline]
     pub fn at(&self, s: f64) -> (Vector3<f64>, Vector3<f64>) {
@@ -88,5 +94,71 @@ impl ElementPath {
     pub fn ball(&self) -> (Vector3<f64>, f64) {
         let (before, after) = (0.5 * (self.start.left() + self.start.right()), 0.5 * (self.now.left() + self.now.right()));
         (0.5 * (before + after), 0.5 * (self.now.length + (after - before).norm()))
+    }
+
+    /// No point on these paths is nearer to the shape than this, m: by the plane between the shape and the chord in the middle of its motion,
+    /// and by how far arcs are off their chords.
+    pub fn least_distance(&self, separator: &Separator) -> f64 {
+        let paths = [[self.start.left(), self.now.left()], [self.start.right(), self.now.right()]];
+        let plane = separator.of_segment(paths.map(|[before, after]| 0.5 * (before + after)));
+        plane.distance_of(paths.into_iter().flatten()) - self.start.off_chord().max(self.now.off_chord())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::UnitQuaternion;
+
+    use super::*;
+    use crate::contact::shape::Shape;
+    use crate::math::random::Seeded;
+    use crate::rod::kinematics::element_states;
+    use crate::step::state::rotation_matrix;
+
+    /// No point of an element comes nearer to a shape than the plane between them says, and where they are far apart that is not much less.
+    #[test]
+    fn an_element_stays_as_far_from_a_shape_as_its_chord_says() {
+        let random = Seeded::new(5, 0);
+        let mut count = 0;
+        let mut number = || {
+            count += 1;
+            2.0 * random.unit(count) - 1.0
+        };
+        let mut told = 0;
+        for _ in 0..400 {
+            let mut point = |size: f64| size * Vector3::new(number(), number(), number());
+            let shapes = [
+                Shape::new_sphere(0.02).unwrap(),
+                Shape::new_capsule(point(0.03), point(0.03), 0.004).unwrap(),
+                Shape::new_half_space(point(1.0)).unwrap(),
+            ];
+            let mut turn = || UnitQuaternion::from_scaled_axis(point(2.0));
+            let (roots, poses) = ([turn(), turn()], [turn(), turn()]);
+            let origins = [point(0.05), point(0.05)];
+            let frame = |rotation, origin| Frame { origin, rotation };
+            let mut elements = [Vec::new(), Vec::new()];
+            for end in 0..2 {
+                let curvature: [f64; 3] = point(60.0).into();
+                element_states(rotation_matrix(&frame(roots[end], origins[end])), [0.03], &[curvature], &mut elements[end]);
+            }
+            let curve = |end: usize| StrandCurve { origin: origins[end], elements: &elements[end] };
+            for shape in &shapes {
+                let bodies = [0, 1].map(|end| frame(poses[end], Vector3::new(0.01, 0.0, 0.02 * end as f64)));
+                let body = BodyAt::new(0, shape, bodies[0], bodies[1], 0.0);
+                let path = ElementPath::new(&curve(0), &curve(1), 0, &body);
+                let bound = path.least_distance(&shape.separator().unwrap());
+                for along in 0..=20 {
+                    let s = 0.03 * f64::from(along) / 20.0;
+                    let (before, now) = (path.start.at(s).0, path.now.at(s).0);
+                    for time in 0..=10 {
+                        let at = before.lerp(&now, f64::from(time) / 10.0);
+                        let distance = shape.closest(at, f64::INFINITY).unwrap().distance;
+                        assert!(distance >= bound - 1e-12, "{distance} {bound} {shape:?}");
+                    }
+                }
+                told += usize::from(bound > 0.01);
+            }
+        }
+        assert!(told > 100, "{told}");
     }
 }

@@ -13,7 +13,12 @@ use crate::error::Result;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
 
-/// The tolerance of an island's first contact problem, and of later ones as a fraction of the laws' residual after the
+/// Up to this many constraints a contact problem costs less than the iteration of the strand that an exact solution spares. But where
+/// surfaces would move by more than this fraction of an element's length, forces that part them in the linear model are far from those
+/// that do so.
+const SMALL: usize = 8;
+const GENTLE: f64 = 0.01;
+/// The tolerance of an island's first contact problem if it is larger, and of later ones as a fraction of the laws' residual after the
 /// iteration before.
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
@@ -106,10 +111,14 @@ impl Island {
         let scales = if soft { Scales::OfTheProblem } else { Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step } };
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
-        // Not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to the last
-        // digit.)
+        // A large problem not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to
+        // the last digit.)
         let size = self.report.size;
-        let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
+        let deserved = match self.iterations {
+            _ if self.included.len() <= SMALL && longest <= GENTLE * self.shortest_element(strands) => 0.0,
+            1 => FIRST * size,
+            _ => (FIRST * size).min(FORCING * self.ending.residual),
+        };
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
         self.report = solver.solve_by(space, &settings, forces, workers, meter);
@@ -143,6 +152,13 @@ impl Island {
             (self.done, self.ending.diverged) = (true, self.is_relaxed());
             self.ending.good_enough = false;
         }
+    }
+
+    /// The mean length of an element, of the strand where that is least, m.
+    fn shortest_element(&self, strands: &(impl Strands + ?Sized)) -> f64 {
+        let lengths =
+            self.strands.iter().map(|strand| &strands[*strand as usize]).map(|strand| strand.length() / strand.elements() as f64);
+        lengths.fold(f64::INFINITY, f64::min)
     }
 
     /// Selects the constraints of strands that move.

@@ -16,8 +16,10 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
-/// The largest number of balls, or chords, measured for a strand and a body.
+/// The largest number of balls, or chords, measured for a strand and a body. What passes by needs a few chords, and more cost as much as a
+/// step with contact.
 const MAX_BALLS: u32 = 256;
+const MAX_CHORDS: u32 = 64;
 /// The largest number of pieces of an element in the queue: halves of halves.
 const MAX_PIECES: usize = 24;
 
@@ -121,7 +123,7 @@ pub fn can_decide(body: &BodyAt) -> bool {
 
 impl FreePath<'_> {
     /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
-    /// where 256 balls do not decide it, and for a body whose distances cannot ([`can_decide`]).
+    /// where 256 balls, or 64 chords, do not decide it, and for a body whose distances cannot ([`can_decide`]).
     pub fn is_clear_of<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a BodyAt<'a>>,
@@ -177,10 +179,10 @@ impl FreePath<'_> {
         scratch.turn(0, &body.start);
         let origins = roots.map(|root| root.origin);
         let ClearanceScratch { elements: [first, second], near, .. } = scratch;
-        let mut balls = MAX_BALLS;
+        let mut pieces = if body.shape.separator().is_some() { MAX_CHORDS } else { MAX_BALLS };
         near.iter().all(|(k, start)| {
             let element = Element { states: [&first[*k], &second[*k]], origins, start: *start };
-            self.is_element_clear(body, &element, spare, &mut balls)
+            self.is_element_clear(body, &element, spare, &mut pieces)
         })
     }
 
@@ -229,15 +231,15 @@ impl FreePath<'_> {
         }
     }
 
-    fn is_element_clear(&self, body: &BodyAt, element: &Element, spare: f64, balls: &mut u32) -> bool {
+    fn is_element_clear(&self, body: &BodyAt, element: &Element, spare: f64, pieces: &mut u32) -> bool {
         let length = element.states[0].length;
         let exempt = (self.exempt - element.start).max(0.0);
         if exempt >= length {
             return true;
         }
         match body.shape.separator() {
-            Some(separator) => self.is_clear_by_chords(body, &separator, element, exempt, spare, balls),
-            None => self.is_clear_by_balls(body, element, exempt, spare, balls),
+            Some(separator) => self.is_clear_by_chords(body, &separator, element, exempt, spare, pieces),
+            None => self.is_clear_by_balls(body, element, exempt, spare, pieces),
         }
     }
 

@@ -198,8 +198,9 @@ impl Search<'_, '_> {
         let (centre, ball) = path.ball();
         let far = self.thickness + self.within + ball;
         // All of the element during all of its motion.
-        let clear = match &shape.0 {
-            Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds().distance(&centre) > far,
+        let clear = match (&shape.0, shape.separator()) {
+            (Kind::Hull(mesh) | Kind::Mesh(mesh), _) => mesh.bounds().distance(&centre) > far,
+            (_, Some(separator)) => path.least_distance(&separator) >= self.thickness + self.within,
             _ => shape.distance(centre, far) >= far,
         };
         if clear {

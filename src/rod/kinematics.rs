@@ -104,8 +104,13 @@ impl ElementState<f64> {
     /// The same for a piece of this length, m: a curve r(s) differs from its linear interpolation by at most |r''| length²/8, and never
     /// by more than half its length.
     pub fn off_chord_of(&self, length: f64) -> f64 {
-        0.5 * length * (0.25 * self.kappa_squared.sqrt() * length).min(1.0)
+        off_chord(self.kappa_squared, length)
     }
+}
+
+/// [`ElementState::off_chord_of`], for a curvature with this square, 1/m².
+pub fn off_chord(kappa_squared: f64, length: f64) -> f64 {
+    0.5 * length * (0.25 * kappa_squared.sqrt() * length).min(1.0)
 }
 
 /// One lane's elements.

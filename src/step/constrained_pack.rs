@@ -192,7 +192,7 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
         stages::assemble_terms(pack.times.k, pack.offset, &rule.weights, loaded, &stages[0], iterate);
         stages::lead(pack.times.span, pack.freedoms, loaded, None, iterate);
         let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
-        let potential = choose_start(&problem, iterate);
+        let potential = choose_start(&problem, iterate, Some(&loaded.rotation));
         iterate.system.point_tension.clear();
         (iterate.system.exact, pack.exact) = (false, 0);
         pack.loads.clear();

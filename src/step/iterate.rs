@@ -81,19 +81,23 @@ impl<T: Lane> Default for Iterate<T> {
 }
 
 /// Of two starts, `curvatures` and `trial_curvatures`, keeps the one with the lower potential. Returns that potential and its
-/// rounding error.
+/// rounding error. `root_before`: the root's rotation at the start of the step, if `curvatures` are those of then.
 #[inline(always)]
-pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let first = place_accepted(problem, it);
+pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, root_before: Option<&Mat3<T>>) -> (T, T) {
     let second = place_trial(problem, it);
+    // The second is the better one as a rule. The first need not be placed where that is plain in all lanes.
+    let carried = root_before.and_then(|before| carried_potential(problem, it, before));
+    if carried.is_some_and(|first| T::all((second.0 + second.1).less(first.0 - first.1))) {
+        take_second(it);
+        return second;
+    }
+    let first = place_accepted(problem, it);
     let better = second.0.less(first.0);
     if !T::any(better) {
         return first;
     }
     if T::all(better) {
-        std::mem::swap(&mut it.kinematics, &mut it.trial);
-        std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
-        std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
+        take_second(it);
         return second;
     }
     for (row, trial) in it.compensation.iter_mut().zip(&it.trial_compensation) {
@@ -107,6 +111,41 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
         }
     }
     place_accepted(problem, it)
+}
+
+#[inline(always)]
+fn take_second<T: Lane>(it: &mut Iterate<T>) {
+    std::mem::swap(&mut it.kinematics, &mut it.trial);
+    std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+    std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
+}
+
+/// The potential of the shape at the start of the step, carried along by the root, whose rotation was `before`, and a bound on its rounding
+/// error. `None` if `curvatures` are another shape: a host has changed frozen ones.
+#[inline(always)]
+fn carried_potential<T: Lane>(problem: &Problem<T>, it: &Iterate<T>, before: &Mat3<T>) -> Option<(T, T)> {
+    let half = T::splat(0.5);
+    let (mut bent, mut changed) = (T::zero(), T::zero());
+    for (element, (row, base)) in it.curvatures.iter().zip(&it.curvature_base).enumerate() {
+        for axis in 0..3 {
+            changed += (row[axis] - base[axis]) * (row[axis] - base[axis]);
+            let off = it.curvature_target[element][axis];
+            bent += it.system.curvature_stiffness[element][axis] * off * off;
+        }
+    }
+    if T::any(T::zero().less(changed)) {
+        return None;
+    }
+    let turn = problem.root.mul_transposed(before);
+    let (mut moved, mut lever) = (T::zero(), T::zero());
+    for (p, base) in it.point_base.iter().enumerate() {
+        let (stiffness, off) = (it.system.point_stiffness[p], (turn.apply(*base) - *base) - it.point_target[p]);
+        moved += stiffness * off.norm_squared();
+        lever += stiffness * base.norm_squared();
+    }
+    let value = half * (moved + bent);
+    // Cauchy and Schwarz's bound on the sum of stiffness × offset × distance from the root.
+    Some((value, T::splat(32.0 * T::PRECISION.constants().epsilon) * (value + (moved * lever).sqrt())))
 }
 
 /// The lagged tension: the forces that the springs would have reached had the points gone a fraction `gone` of the direction

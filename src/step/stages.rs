@@ -209,7 +209,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
         let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
         assemble_terms(times.k, offset, &rule.weights, loaded, stage, iterate);
         lead(times.span, freedoms, loaded, before.last(), iterate);
-        let start = choose_start(&problem, iterate);
+        let start = choose_start(&problem, iterate, before.is_empty().then_some(&loaded.rotation));
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
         for (total, outcome) in total.iter_mut().zip(&outcomes).take(loaded.count) {

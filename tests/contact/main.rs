@@ -9,6 +9,7 @@ mod determinism;
 mod distance_grids;
 mod drawn_grooms_at_rest;
 mod friction_laws;
+mod gentle_contact;
 mod hair_on_hair;
 mod hair_pair_detection;
 mod independent_cases;
