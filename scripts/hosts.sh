@@ -115,20 +115,15 @@ host_python() {
   cat "$folder/scrub.txt"
   timed bake walk bake "$folder" hair.usda
 }
-host_usd() {
-  begin usd
-  timed install fresh_python "[usd]"
-  timed bake walk bake "$folder" hair.usdc
-  timed scrub walk read "$folder" hair.usdc
+cache() { # cache HOST EXTRA FILE
+  begin "$1"
+  timed install fresh_python "$2"
+  timed bake walk bake "$folder" "$3"
+  timed scrub walk read "$folder" "$3"
   cat "$folder/scrub.txt"
 }
-host_alembic() {
-  begin alembic
-  timed install fresh_python ""
-  timed bake walk bake "$folder" hair.abc
-  timed scrub walk read "$folder" hair.abc
-  cat "$folder/scrub.txt"
-}
+host_usd() { cache usd "[usd]" hair.usdc; }
+host_alembic() { cache alembic "" hair.abc; }
 host_godot() {
   begin godot
   if ! command -v godot3-runner >/dev/null; then absent godot "no godot3-runner (apt-get install godot3-runner xvfb libgl1-mesa-dri)"; return; fi

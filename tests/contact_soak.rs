@@ -384,7 +384,7 @@ fn strands_chased_by_bodies_do_not_diverge_for_long() {
 #[test]
 fn bodies_thrown_through_hair() {
     let number = |name: &str, default: u64| std::env::var(name).map_or(default, |value| value.parse().unwrap());
-    let (steps, seed) = (number("CONTACT_SOAK_STEPS", 3000), number("CONTACT_SOAK_SEED", 1));
+    let (steps, seed) = (number("CONTACT_SOAK_STEPS", 6000), number("CONTACT_SOAK_SEED", 1));
     let large_only = std::env::var_os("CONTACT_SOAK_LARGE").is_some();
     // Of scenes with few strands and of those with many.
     let mut tallies = [Tally::default(), Tally::default()];
@@ -430,5 +430,5 @@ fn bodies_thrown_through_hair() {
     assert!(many.stayed * 2000 <= enough && many.deep_steps * 200 <= enough && many.drawing * 100 <= enough, "{many:?}");
     assert!(many.rose * 600 <= many.steps + 600, "{many:?}");
     assert!(many.rolled_back * 50 <= enough && many.unconverged * 4 <= enough, "{many:?}");
-    assert!(many.large * 10 > many.steps, "too few hung together: {many:?}");
+    assert!(many.large * 5 > many.steps, "too few hung together: {many:?}");
 }

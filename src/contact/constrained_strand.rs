@@ -222,6 +222,11 @@ impl ConstrainedStrand {
         self.step.start().1.iter().map(|element| element.length).sum()
     }
 
+    /// The mean length of its elements, m.
+    pub fn mean_element(&self) -> f64 {
+        self.length() / self.elements() as f64
+    }
+
     /// The force that moves it by its own length in a step, N.
     pub fn usual_force(&self, step: f64) -> f64 {
         self.mass * self.length() / (step * step)

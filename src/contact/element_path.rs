@@ -111,19 +111,14 @@ mod tests {
 
     use super::*;
     use crate::contact::shape::Shape;
-    use crate::math::random::Seeded;
+    use crate::math::random::signed_numbers;
     use crate::rod::kinematics::element_states;
     use crate::step::state::rotation_matrix;
 
     /// No point of an element comes nearer to a shape than the plane between them says, and where they are far apart that is not much less.
     #[test]
     fn an_element_stays_as_far_from_a_shape_as_its_chord_says() {
-        let random = Seeded::new(5, 0);
-        let mut count = 0;
-        let mut number = || {
-            count += 1;
-            2.0 * random.unit(count) - 1.0
-        };
+        let mut number = signed_numbers(5);
         let mut told = 0;
         for _ in 0..400 {
             let mut point = |size: f64| size * Vector3::new(number(), number(), number());

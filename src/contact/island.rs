@@ -333,8 +333,7 @@ impl Island {
                 let motion = strand
                     .resting_displacement(end.point, &self.is_included, |constraint| self.constraints[constraint].force)
                     .norm();
-                let element = strand.length() / strand.step.now().1.len() as f64;
-                *moved = if motion.is_nan() { f64::INFINITY } else { motion / element };
+                *moved = if motion.is_nan() { f64::INFINITY } else { motion / strand.mean_element() };
             }
         }
         motions

@@ -156,9 +156,7 @@ impl Island {
 
     /// The mean length of an element, of the strand where that is least, m.
     fn shortest_element(&self, strands: &(impl Strands + ?Sized)) -> f64 {
-        let lengths =
-            self.strands.iter().map(|strand| &strands[*strand as usize]).map(|strand| strand.length() / strand.elements() as f64);
-        lengths.fold(f64::INFINITY, f64::min)
+        self.strands.iter().map(|strand| strands[*strand as usize].mean_element()).fold(f64::INFINITY, f64::min)
     }
 
     /// Selects the constraints of strands that move.

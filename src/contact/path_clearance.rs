@@ -169,7 +169,8 @@ impl FreePath<'_> {
     fn stays_out(&self, body: &BodyAt, spare: f64, scratch: &mut ClearanceScratch) -> bool {
         let roots = [body.start.inverse().compose(&self.root[0]), body.end.inverse().compose(&self.root[1])];
         scratch.turn(1, &body.end);
-        self.find_near(&roots, body, spare, scratch);
+        let separator = body.shape.separator();
+        self.find_near(&roots, body, separator.as_ref(), spare, scratch);
         if scratch.near.is_empty() {
             return true;
         }
@@ -179,10 +180,10 @@ impl FreePath<'_> {
         scratch.turn(0, &body.start);
         let origins = roots.map(|root| root.origin);
         let ClearanceScratch { elements: [first, second], near, .. } = scratch;
-        let mut pieces = if body.shape.separator().is_some() { MAX_CHORDS } else { MAX_BALLS };
+        let mut pieces = if separator.is_some() { MAX_CHORDS } else { MAX_BALLS };
         near.iter().all(|(k, start)| {
             let element = Element { states: [&first[*k], &second[*k]], origins, start: *start };
-            self.is_element_clear(body, &element, spare, &mut pieces)
+            self.is_element_clear(body, separator.as_ref(), &element, spare, &mut pieces)
         })
     }
 
@@ -206,17 +207,24 @@ impl FreePath<'_> {
     }
 
     /// Finds the elements that may be near the body, from where they end and from how far they can have come.
-    fn find_near(&self, roots: &[Frame; 2], body: &BodyAt, spare: f64, scratch: &mut ClearanceScratch) {
+    fn find_near(
+        &self,
+        roots: &[Frame; 2],
+        body: &BodyAt,
+        separator: Option<&Separator>,
+        spare: f64,
+        scratch: &mut ClearanceScratch,
+    ) {
         let to = &roots[1];
         let (slope, needed) = (body.shape.distance_slope(), self.radius + body.thickness - spare);
-        let (separator, mut start) = (body.shape.separator(), 0.0);
+        let mut start = 0.0;
         scratch.near.clear();
         for (k, (state, displacement)) in scratch.elements[1].iter().zip(self.displacements(roots)).enumerate() {
             let length = state.length;
             if start + length > self.exempt {
                 let chord = [state.origin_left, state.origin_right()].map(|end| to.origin + Vector3::from(end));
                 // The shape knows either how far a whole chord is, or how far its middle is.
-                let (distance, enough) = match &separator {
+                let (distance, enough) = match separator {
                     Some(separator) => (separator.of_segment(chord).distance, needed + state.off_chord() + displacement),
                     None => {
                         let enough = needed + slope * (0.5 * length + displacement);
@@ -231,14 +239,21 @@ impl FreePath<'_> {
         }
     }
 
-    fn is_element_clear(&self, body: &BodyAt, element: &Element, spare: f64, pieces: &mut u32) -> bool {
+    fn is_element_clear(
+        &self,
+        body: &BodyAt,
+        separator: Option<&Separator>,
+        element: &Element,
+        spare: f64,
+        pieces: &mut u32,
+    ) -> bool {
         let length = element.states[0].length;
         let exempt = (self.exempt - element.start).max(0.0);
         if exempt >= length {
             return true;
         }
-        match body.shape.separator() {
-            Some(separator) => self.is_clear_by_chords(body, &separator, element, exempt, spare, pieces),
+        match separator {
+            Some(separator) => self.is_clear_by_chords(body, separator, element, exempt, spare, pieces),
             None => self.is_clear_by_balls(body, element, exempt, spare, pieces),
         }
     }

@@ -195,13 +195,16 @@ impl Search<'_, '_> {
         let path = ElementPath::new(&self.path.start, &self.path.now, index, self.body);
         let shape = self.body.shape;
         let mesh = shape.mesh();
-        let (centre, ball) = path.ball();
-        let far = self.thickness + self.within + ball;
         // All of the element during all of its motion.
-        let clear = match (&shape.0, shape.separator()) {
-            (Kind::Hull(mesh) | Kind::Mesh(mesh), _) => mesh.bounds().distance(&centre) > far,
-            (_, Some(separator)) => path.least_distance(&separator) >= self.thickness + self.within,
-            _ => shape.distance(centre, far) >= far,
+        let clear = if let Some(separator) = shape.separator() {
+            path.least_distance(&separator) >= self.thickness + self.within
+        } else {
+            let (centre, ball) = path.ball();
+            let far = self.thickness + self.within + ball;
+            match &shape.0 {
+                Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds().distance(&centre) > far,
+                _ => shape.distance(centre, far) >= far,
+            }
         };
         if clear {
             self.inside = Some(false);

@@ -30,6 +30,16 @@ impl Seeded {
     }
 }
 
+/// Numbers from −1 to 1 in turn, for tests.
+#[cfg(test)]
+pub(crate) fn signed_numbers(seed: u64) -> impl FnMut() -> f64 {
+    let (random, mut count) = (Seeded::new(seed, 0), 0);
+    move || {
+        count += 1;
+        2.0 * random.unit(count) - 1.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

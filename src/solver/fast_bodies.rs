@@ -78,8 +78,7 @@ impl Solver {
         }
         let going = |index: usize| {
             let body = self.bodies[index].body.at(index as u32, h);
-            let turn = rotation_vector(&(body.end.rotation * body.start.rotation.inverse())).norm();
-            (body, (body.end.origin - body.start.origin).norm() + body.radius * turn, body.half_extent())
+            (body, travel(&body), body.half_extent())
         };
         let bodies = (0..self.bodies.len()).map(going).filter(|(.., extent)| extent.is_finite());
         let (mut fastest, mut crowd) = (None, None);
@@ -145,6 +144,11 @@ impl Crowd {
         let arm = (self.roots.low - origin).abs().sup(&(self.roots.high - origin).abs()).norm();
         farthest + (body.end.origin - origin).norm() + arm * body.turn <= SWING * shortest
     }
+}
+
+/// How far the points of a body go at most, m.
+fn travel(body: &BodyAt) -> f64 {
+    (body.end.origin - body.start.origin).norm() + body.radius * body.turn
 }
 
 /// How far a root goes, m, and a bound on the angle by which it turns, rad. (An angle is at most π times the sine of its half.)
@@ -214,7 +218,7 @@ mod tests {
     use crate::contact::body::BodyDef;
     use crate::contact::options::StrandContact;
     use crate::contact::shape::Shape;
-    use crate::math::random::Seeded;
+    use crate::math::random::signed_numbers;
     use crate::solver::definition::{SolverOptions, StrandDef};
 
     const H: f64 = 1e-3;
@@ -222,12 +226,7 @@ mod tests {
     /// Where the bounds on all strands say that a substep need not be divided, no strand says otherwise; and they say so often.
     #[test]
     fn what_holds_for_all_strands_holds_for_each() {
-        let random = Seeded::new(11, 0);
-        let mut count = 0;
-        let mut number = || {
-            count += 1;
-            2.0 * random.unit(count) - 1.0
-        };
+        let mut number = signed_numbers(11);
         let [mut told, mut divided] = [0, 0];
         for scene in 0..300 {
             let mut solver = Solver::new(SolverOptions::default()).unwrap();
@@ -261,8 +260,7 @@ mod tests {
             let (crowd, fastest) = (Crowd::of(&solver.strands, H), solver.fastest());
             for index in 0..2 {
                 let body = solver.bodies[index].body.at(index as u32, H);
-                let turn = rotation_vector(&(body.end.rotation * body.start.rotation.inverse())).norm();
-                let (travel, extent) = ((body.end.origin - body.start.origin).norm() + body.radius * turn, body.half_extent());
+                let (travel, extent) = (travel(&body), body.half_extent());
                 let parts =
                     solver.strands.iter().map(|strand| strand.parts(&body, travel, extent, fastest, H)).fold(1.0, f64::max);
                 if crowd.stays_slow(&body, travel, extent, fastest * H) {

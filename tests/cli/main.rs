@@ -9,6 +9,8 @@ mod fit;
 mod fit_friction;
 mod info_and_picture;
 mod interpolate;
+#[path = "../numpy/mod.rs"]
+mod numpy;
 mod posing;
 mod prepare;
 mod run;

@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use superhelix::io::Curves;
 
+use super::numpy::{self, npz};
 use super::support::{difference, directory, errors, numbers, superhelix};
 
 /// Radius of the head, m.
@@ -120,56 +121,12 @@ fn ply(strands: &[Strand], properties: &str, further: impl Fn(usize) -> Vec<u8>)
 }
 
 fn npy(strands: &[Strand], double: bool) -> Vec<u8> {
-    let kind = if double { "<f8" } else { "<f4" };
     let shape = format!("({}, {POINTS}, 3)", strands.len());
-    let mut header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
-    while !(10 + header.len() + 1).is_multiple_of(64) {
-        header.push(' ');
-    }
-    header.push('\n');
-    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    bytes.extend((header.len() as u16).to_le_bytes());
-    bytes.extend(header.as_bytes());
     if double {
-        bytes.extend(strands.iter().flatten().flatten().flat_map(|number| f64::from(*number).to_le_bytes()));
-    } else {
-        bytes.extend(floats(strands));
+        let numbers = strands.iter().flatten().flatten().flat_map(|number| f64::from(*number).to_le_bytes());
+        return numpy::npy("<f8", &shape, &numbers.collect::<Vec<u8>>());
     }
-    bytes
-}
-
-/// An archive of stored members.
-fn npz(members: &[(&str, Vec<u8>)]) -> Vec<u8> {
-    let (mut bytes, mut list) = (Vec::new(), Vec::new());
-    for (name, content) in members {
-        let start = bytes.len() as u32;
-        let size = (content.len() as u32).to_le_bytes();
-        let common = |at: &mut Vec<u8>| {
-            at.extend([20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]);
-            at.extend(size);
-            at.extend(size);
-            at.extend((name.len() as u16).to_le_bytes());
-            at.extend([0, 0]);
-        };
-        bytes.extend(b"PK\x03\x04");
-        common(&mut bytes);
-        bytes.extend(name.as_bytes());
-        bytes.extend(content);
-        list.extend(b"PK\x01\x02\x14\x00");
-        common(&mut list);
-        list.extend([0; 10]);
-        list.extend(start.to_le_bytes());
-        list.extend(name.as_bytes());
-    }
-    let (at, size, count) = (bytes.len() as u32, list.len() as u32, members.len() as u16);
-    bytes.extend(list);
-    bytes.extend(b"PK\x05\x06\x00\x00\x00\x00");
-    bytes.extend(count.to_le_bytes());
-    bytes.extend(count.to_le_bytes());
-    bytes.extend(size.to_le_bytes());
-    bytes.extend(at.to_le_bytes());
-    bytes.extend([0, 0]);
-    bytes
+    numpy::npy("<f4", &shape, &floats(strands))
 }
 
 fn data(strands: &[Strand]) -> Vec<u8> {

@@ -3,6 +3,8 @@
 mod alembic;
 mod hair;
 mod motion;
+#[path = "../numpy/mod.rs"]
+mod numpy;
 mod obj;
 mod obj_mesh;
 mod sequence;

@@ -67,17 +67,12 @@ impl Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::random::Seeded;
+    use crate::math::random::signed_numbers;
 
     /// No point of the shape is beyond the plane, none of the segment before it, and the distance is that of the shape's nearest point.
     #[test]
     fn a_plane_separates() {
-        let random = Seeded::new(3, 0);
-        let mut count = 0;
-        let mut number = || {
-            count += 1;
-            2.0 * random.unit(count) - 1.0
-        };
+        let mut number = signed_numbers(3);
         let mut point = || Vector3::new(number(), number(), number());
         for _ in 0..300 {
             let capsule = Shape::new_capsule(0.5 * point(), 0.5 * point(), 0.1).unwrap();

@@ -284,10 +284,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 let followed = follow(&pose.now, strand);
                 let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
                 let range = 3 * stride * lane..3 * stride * (lane + 1);
-                mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
-                if let Some(own) = &hair.own {
-                    own.add(&hair.reference, &pose.now, index, strand, now);
-                }
+                place(hair, &pose.now, index, &roots, bends.places.get(range.clone()), now);
                 let about = About { evaluation, shape: &pose.now, bodies: around[0], clearance, stride, count: points, size };
                 let moved = finish(hair, &about, strand, &roots, now, lengths, reach);
                 if let Some(earlier) = &earlier {
@@ -297,11 +294,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                         _ => earlier.roots.map_or(back, |roots| roots(index)),
                     };
                     let roots = self::roots(earlier.shape, strand, root, view.origin);
-                    let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
-                    mix(hair, earlier.shape, strand, &roots, bent, before);
-                    if let Some(own) = &hair.own {
-                        own.add(&hair.reference, earlier.shape, index, strand, before);
-                    }
+                    place(hair, earlier.shape, index, &roots, bends_before.places.get(range), before);
                     let about = About { shape: earlier.shape, bodies: around[1], ..about };
                     finish(hair, &about, strand, &roots, before, lengths_before, reach_before);
                     for (before, now) in before.iter_mut().zip(now.iter()) {
@@ -365,6 +358,16 @@ fn finish(
     };
     respace(wanted, stride, count, rows, lengths);
     true
+}
+
+/// A strand's points: as its guides make it, from their positions or from where their curvatures take it (`bent`), with its own shape.
+#[inline(always)]
+fn place(hair: &RenderHair, shape: &Shape, index: usize, roots: &Roots, bent: Option<&[f32]>, out: &mut [f32]) {
+    let strand = &hair.strands[index];
+    mix(hair, shape, strand, roots, bent.filter(|_| hair.reference.curved), out);
+    if let Some(own) = &hair.own {
+        own.add(&hair.reference, shape, index, strand, out);
+    }
 }
 
 /// The position of a strand's root if it follows those of its guides.

@@ -1,11 +1,9 @@
 //! `maps` of a strand: parameters that vary from root to root.
 
-use std::path::Path;
-
 use nalgebra::Vector3;
 use superhelix::{Material, StrandDef};
 
-use super::root_values::{self, Sources, Values};
+use super::root_values::{self, Item, Sources, Values};
 use crate::shell::json::{Complaint, Node};
 
 /// What a map can say.
@@ -60,21 +58,15 @@ pub struct MappedContact {
 }
 
 impl<'a> Maps<'a> {
-    /// Reads `maps`; `follicles` are the strand's, whose mesh counts where no other is named, `groom` is the file that strands have their
-    /// shapes from, so that neither length nor curl can be mapped.
-    pub fn read(
-        node: &Node,
-        follicles: Option<&Node>,
-        groom: Option<&'a Node<'a>>,
-        directory: &'a Path,
-    ) -> Result<Self, Complaint> {
+    /// Reads `maps` of an item. Neither length nor curl can be mapped of strands that have their shapes from a file.
+    pub fn read(node: &Node, item: &'a Item<'a>) -> Result<Self, Complaint> {
         let names: Vec<&str> = ["mesh"].into_iter().chain(PARAMETERS.map(|(name, _)| name)).collect();
         let entries = node.object(&names)?;
-        let sources = Sources::read(entries.get_unless_null("mesh"), follicles, groom, directory)?;
+        let sources = Sources::read(entries.get_unless_null("mesh"), item)?;
         let mut maps = Vec::new();
         for (name, parameter) in PARAMETERS {
             let Some(map) = entries.get_unless_null(name) else { continue };
-            if groom.is_some() && matches!(parameter, Parameter::Length | Parameter::Curl) {
+            if item.is_groom() && matches!(parameter, Parameter::Length | Parameter::Curl) {
                 return Err(map.complain("no such map for strands that have their shapes from a file"));
             }
             let values = sources.values(&map.object(&root_values::KEYS)?, &entries.path("mesh"), None)?;

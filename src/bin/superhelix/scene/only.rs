@@ -1,11 +1,10 @@
 //! `only` of an item: which strands of its groom, or which of its follicles, it stands for.
 
 use std::ops::RangeInclusive;
-use std::path::Path;
 
 use nalgebra::Vector3;
 
-use super::root_values::{self, Sources, Values};
+use super::root_values::{self, Item, Sources, Values};
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// Conditions that all hold for the strands of an item.
@@ -33,18 +32,13 @@ struct Among {
 }
 
 impl<'a> Only<'a> {
-    /// Reads `only`: a condition or a list of them. `follicles` and `groom` are the item's.
-    pub fn read(
-        node: &Node,
-        follicles: Option<&Node>,
-        groom: Option<&'a Node<'a>>,
-        directory: &'a Path,
-    ) -> Result<Self, Complaint> {
+    /// Reads `only` of an item: a condition or a list of them.
+    pub fn read(node: &Node, item: &'a Item<'a>) -> Result<Self, Complaint> {
         let nodes = if node.value.is_array() { node.list()? } else { vec![node.clone()] };
         if nodes.is_empty() {
             return Err(node.complain("a condition, or a list of conditions"));
         }
-        let conditions = nodes.iter().map(|node| Condition::read(node, follicles, groom, directory));
+        let conditions = nodes.iter().map(|node| Condition::read(node, item));
         Ok(Self { key: node.key.clone(), conditions: conditions.collect::<Result<_, _>>()? })
     }
 
@@ -98,7 +92,7 @@ impl<'a> Only<'a> {
 }
 
 impl<'a> Condition<'a> {
-    fn read(node: &Node, follicles: Option<&Node>, groom: Option<&'a Node<'a>>, directory: &'a Path) -> Result<Self, Complaint> {
+    fn read(node: &Node, item: &'a Item<'a>) -> Result<Self, Complaint> {
         const TESTS: [&str; 4] = ["is", "is_not", "at_least", "below"];
         let entries = node.object(&[&["mesh", "indices"][..], &root_values::KEYS, &TESTS].concat())?;
         if let Some(indices) = entries.get("indices") {
@@ -108,7 +102,7 @@ impl<'a> Condition<'a> {
             }
             return Ok(Self::Indices(indices.list()?.iter().map(read_indices).collect::<Result<_, _>>()?));
         }
-        let sources = Box::new(Sources::read(entries.get_unless_null("mesh"), follicles, groom, directory)?);
+        let sources = Box::new(Sources::read(entries.get_unless_null("mesh"), item)?);
         let values = sources.values(&entries, &entries.path("mesh"), Some([0.0, 1.0]))?;
         if TESTS.iter().all(|test| entries.get(test).is_none()) {
             return Err(node.complain("is, is_not, at_least or below, which say which values are meant"));

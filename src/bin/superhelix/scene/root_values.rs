@@ -18,7 +18,15 @@ use crate::surfaces::region::{read_picture, read_vertex_densities};
 #[derive(Debug)]
 pub struct Sources<'a> {
     canvas: Option<Canvas>,
+    item: &'a Item<'a>,
+}
+
+/// What an item of strands is made of, as far as values at its roots come from there.
+#[derive(Debug)]
+pub struct Item<'a> {
+    follicles: Option<&'a Node<'a>>,
     groom: Option<Groom<'a>>,
+    /// Where files are that are named.
     directory: &'a Path,
 }
 
@@ -30,7 +38,7 @@ struct Canvas {
     pose: Frame,
 }
 
-/// A groom's file, whose attributes are read when one is asked for.
+/// A groom's file, whose attributes are read when the first is asked for.
 #[derive(Debug)]
 struct Groom<'a> {
     file: &'a Node<'a>,
@@ -58,21 +66,32 @@ pub struct Root {
 /// The keys of values.
 pub const KEYS: [&str; 6] = ["picture", "black", "white", "vertices", "attribute", "range"];
 
+impl<'a> Item<'a> {
+    /// Strands at these follicles, if there are any.
+    pub fn of_follicles(follicles: Option<&'a Node<'a>>, directory: &'a Path) -> Self {
+        Self { follicles, groom: None, directory }
+    }
+
+    /// Strands that have their shapes from a groom's file.
+    pub fn of_groom(file: &'a Node<'a>, directory: &'a Path) -> Self {
+        Self { follicles: None, groom: Some(Groom { file, attributes: OnceCell::new() }), directory }
+    }
+
+    /// Whether strands have their shapes from a file.
+    pub fn is_groom(&self) -> bool {
+        self.groom.is_some()
+    }
+}
+
 impl<'a> Sources<'a> {
     /// Those of an item: the mesh that is named, else that of its follicles; and the file of its groom.
-    pub fn read(
-        mesh: Option<&Node>,
-        follicles: Option<&Node>,
-        groom: Option<&'a Node<'a>>,
-        directory: &'a Path,
-    ) -> Result<Self, Complaint> {
-        let canvas = match (mesh, follicles) {
-            (Some(mesh), _) => Some(Canvas::read(mesh, &mesh.object(&["file", "scale", "pose"])?, directory)?),
-            (None, Some(follicles)) => Some(Canvas::read(follicles, &follicles.object(&FOLLICLES)?, directory)?),
+    pub fn read(mesh: Option<&Node>, item: &'a Item<'a>) -> Result<Self, Complaint> {
+        let canvas = match (mesh, item.follicles) {
+            (Some(mesh), _) => Some(Canvas::read(mesh, &mesh.object(&["file", "scale", "pose"])?, item.directory)?),
+            (None, Some(follicles)) => Some(Canvas::read(follicles, &follicles.object(&FOLLICLES)?, item.directory)?),
             (None, None) => None,
         };
-        let groom = groom.map(|file| Groom { file, attributes: OnceCell::new() });
-        Ok(Self { canvas, groom, directory })
+        Ok(Self { canvas, item })
     }
 
     /// A root (m, in the frame in which the mesh has its pose), at the nearest place of the mesh.
@@ -131,7 +150,7 @@ impl<'a> Sources<'a> {
                 None => entries.require(name)?.number(),
             };
             let (black, white) = (colour("black", 0)?, colour("white", 1)?);
-            return match read_picture(&path_of(node, self.directory)?).map_err(|failure| complain(&failure))? {
+            return match read_picture(&path_of(node, self.item.directory)?).map_err(|failure| complain(&failure))? {
                 Density::Picture { width, height, values } => Ok(Values::Picture { width, height, values, black, white }),
                 _ => Err(node.complain("a picture")),
             };
@@ -139,7 +158,7 @@ impl<'a> Sources<'a> {
         if let Some(other) = entries.get("black").or_else(|| entries.get("white")) {
             return Err(other.complain("no such key beside vertices, whose numbers are the values"));
         }
-        match read_vertex_densities(&path_of(node, self.directory)?).map_err(|failure| complain(&failure))? {
+        match read_vertex_densities(&path_of(node, self.item.directory)?).map_err(|failure| complain(&failure))? {
             Density::Vertices(values) if values.len() == canvas.mesh.vertices().len() => Ok(Values::Vertices(values)),
             Density::Vertices(values) => {
                 let (has, vertices) = (values.len(), canvas.mesh.vertices().len());
@@ -151,11 +170,11 @@ impl<'a> Sources<'a> {
 
     /// An attribute of the groom's file: its numbers, or from `black` to `white` as they go through `range`.
     fn attribute(&self, node: &Node, entries: &Entries) -> Result<Values, Complaint> {
-        let Some(groom) = &self.groom else {
+        let Some(groom) = &self.item.groom else {
             return Err(node.complain("none where strands do not come from the file of a groom"));
         };
         let name = node.value.as_str().ok_or_else(|| node.complain("the name of an attribute"))?;
-        let attributes = groom.attributes(self.directory)?;
+        let attributes = groom.attributes(self.item.directory)?;
         let Some(numbers) = attributes.get(name) else {
             let names: Vec<&str> = attributes.names().collect();
             let has = if names.is_empty() { "no attributes".to_owned() } else { names.join(", ") };

@@ -12,6 +12,7 @@ use super::maps::{MappedContact, Maps};
 use super::motions::Motions;
 use super::only::Only;
 use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
+use super::root_values::Item;
 use super::words::in_words_of_the_scene;
 use super::{follicles, groom, hair, named};
 use crate::shell::json::{Complaint, Entries, Node};
@@ -63,8 +64,9 @@ pub fn read(
     let material = read_material(&strands, Material::default())?;
     let groom = strands.require("groom")?;
     let file = Node { key: format!("{}.file", groom.key), value: &groom.value["file"] };
-    let only = strands.get_unless_null("only").map(|only| Only::read(only, None, Some(&file), directory)).transpose()?;
-    let maps = strands.get_unless_null("maps").map(|maps| Maps::read(maps, None, Some(&file), directory)).transpose()?;
+    let whole = Item::of_groom(&file, directory);
+    let only = strands.get_unless_null("only").map(|only| Only::read(only, &whole)).transpose()?;
+    let maps = strands.get_unless_null("maps").map(|maps| Maps::read(maps, &whole)).transpose()?;
     let made = groom::read(groom, material, maps.as_ref(), only.as_ref(), options, directory)?;
     let strand = |(definition, mapped): (StrandDef, MappedContact)| {
         definition.check(&node.key).map_err(in_words_of_the_scene)?;
@@ -99,11 +101,12 @@ fn read_own(node: &Node, item: usize, motions: &Motions, directory: &Path) -> Re
     let element_lengths = read_lengths(&strand)?;
     let hair = strand.get_unless_null("hair").map(hair::read).transpose()?;
     let motion = strand.get_unless_null("root_motion").map(|node| read_root_motion(node, motions)).transpose()?;
-    let maps = strand.get_unless_null("maps").map(|maps| Maps::read(maps, follicles, None, directory)).transpose()?;
+    let whole = Item::of_follicles(follicles, directory);
+    let maps = strand.get_unless_null("maps").map(|maps| Maps::read(maps, &whole)).transpose()?;
     let chosen = match strand.get_unless_null("only") {
         Some(only) if follicles.is_none() => return Err(only.complain("no such key without groom or follicles")),
         Some(only) => {
-            let only = Only::read(only, follicles, None, directory)?;
+            let only = Only::read(only, &whole)?;
             only.among(0..places.len(), places.len(), |number| places[number].origin)?
         }
         None => (0..places.len()).collect(),
