@@ -40,14 +40,14 @@ pub(super) fn sweep(ground: &Ground, thickness: f64, nodes: &[Node], hits: &mut 
         }
     }
     if let Kind::Grid(grid) = &ground.body.shape.0 {
-        // A node that ends farther from the surface than its path is long has met nothing.
+        // On the last part of its path a node is no nearer to the surface than at its end, less what it has gone since.
         let slope = ground.body.shape.distance_slope();
-        let may_meet = |node: &&Node| {
+        let clear = |node: &Node| {
             let distance = node.sample.map(|sample| sample.value).or(node.far);
-            distance.is_none_or(|distance| distance - slope * (node.now - node.before).norm() <= level)
+            distance.map_or(0.0, |distance| ((distance - level) / slope).max(0.0))
         };
         along_nodes(
-            nodes.iter().filter(may_meet).map(|node| (node.s, node.before, node.now)),
+            nodes.iter().map(|node| (node.s, node.before, node.now, clear(node))),
             level,
             0.5 * grid.cell(),
             |point| grid.closest(point).ok_or_else(|| grid.clearance(&point)),

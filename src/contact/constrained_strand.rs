@@ -10,7 +10,7 @@ use super::body::BodyAt;
 use super::contact_point::{ContactPoint, StrandCurve, StrandPath};
 use super::contact_space::read_block;
 use super::ending::Ending;
-use super::island::Island;
+use super::island::{Island, Progress};
 use super::options::StrandContact;
 use super::step_constraint::EndState;
 use super::strand_body::{self, PathBounds, Span};
@@ -93,6 +93,8 @@ pub struct ConstrainedStrand {
     pub looked_ahead: bool,
     /// How its island's iteration has ended, if nothing new acts on the strand since.
     pub ended: Option<Ending>,
+    /// How far its island's iteration has come, if the strand is the first in it and nothing new acts on any.
+    pub progress: Option<Progress>,
     /// It is at equilibrium under the constraints' forces: it stays where it is, while others go on, until these have changed.
     pub resting: bool,
     /// A later search found part of it still in something that it overlapped when the step began.

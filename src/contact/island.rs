@@ -79,6 +79,22 @@ pub struct Left {
     pub newly: f64,
 }
 
+/// How far an island's iteration has come.
+#[derive(Debug, Clone)]
+pub struct Progress {
+    report: Report,
+    iterations: u32,
+    ending: Ending,
+    beyond: bool,
+    kinked: u32,
+    relaxings: u32,
+    rest: f64,
+    best: (f64, u32),
+    fewest: (usize, u32),
+    idle: u32,
+    pushed: (f64, u32),
+}
+
 /// Coupled strands.
 #[derive(Debug, Default)]
 pub struct Island {
@@ -149,6 +165,31 @@ impl Island {
         (self.kinked, self.relaxings, self.report) = (0, 0, Report::default());
         (self.pushed, self.left, self.is_subdivided) = ((f64::INFINITY, 0), Left::default(), false);
         self.begin_to_count(0);
+    }
+
+    /// How far it has come, if it goes on. (All islands are formed again when new contacts are found; one without any goes on from there.)
+    pub fn progress(&self) -> Option<Progress> {
+        (!self.done).then(|| Progress {
+            report: self.report.clone(),
+            iterations: self.iterations,
+            ending: self.ending,
+            beyond: self.beyond,
+            kinked: self.kinked,
+            relaxings: self.relaxings,
+            rest: self.rest,
+            best: self.best,
+            fewest: self.fewest,
+            idle: self.idle,
+            pushed: self.pushed,
+        })
+    }
+
+    /// Goes on from there.
+    pub fn resume(&mut self, progress: Progress) {
+        let Progress { report, iterations, ending, beyond, kinked, relaxings, rest, best, fewest, idle, pushed } = progress;
+        (self.report, self.iterations, self.ending, self.beyond) = (report, iterations, ending, beyond);
+        (self.kinked, self.relaxings, self.rest) = (kinked, relaxings, rest);
+        (self.best, self.fewest, self.idle, self.pushed) = (best, fewest, idle, pushed);
     }
 
     /// Progress is counted from this iteration on.

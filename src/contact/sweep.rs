@@ -110,19 +110,19 @@ fn nearest_along<T: Copy>(
 }
 
 /// For bodies known by their distance alone: collisions of a strand's nodes on their straight paths. Advances by the distance,
-/// but at least by `least` metres, since nothing thinner is there. `ask(point)` returns the surface, or a safe clearance.
-/// Appends arclength and surface.
+/// but at least by `least` metres, since nothing thinner is there. Each node has its arclength, its path, and the length of the path's
+/// last part on which nothing is. `ask(point)` returns the surface, or a safe clearance. Appends arclength and surface.
 pub(super) fn along_nodes(
-    nodes: impl Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>,
+    nodes: impl Iterator<Item = (f64, Vector3<f64>, Vector3<f64>, f64)>,
     level: f64,
     least: f64,
     ask: impl Fn(Vector3<f64>) -> Result<Surface, f64>,
     hits: &mut Vec<(f64, Surface)>,
 ) {
-    for (s, before, now) in nodes {
+    for (s, before, now, clear) in nodes {
         let distance = (now - before).norm();
         let mut gone = 0.0;
-        while gone <= distance {
+        while gone <= distance - clear {
             let point = if distance > 0.0 { before + (now - before) * (gone / distance) } else { before };
             let step = match ask(point) {
                 Ok(surface) => {

@@ -44,15 +44,16 @@ use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::constrained_packs::AnyPack;
 use crate::step::{Setting, StrandOutcome};
+use iterations::Phase;
 use packs::{Packs, Pair, Work};
 use solitary::Member;
 
 /// The largest number of searches for undetected contacts.
 const MAX_SEARCHES: u32 = 16;
 /// The first searches follow after this many Newton iterations: most new contacts are visible by then, and need not wait until
-/// the others are exact. (Sooner, contacts of a mere first guess would be kept, and the energy of long runs grows.)
-const EARLY: u32 = 2;
-const EARLY_ITERATIONS: u32 = 2;
+/// the others are exact. (Sooner, contacts of a mere first guess would be kept, and the energy of long runs grows.) A strand that bodies
+/// alone touch is near its end after three; one among others waits for them, and is looked at twice.
+const EARLY: [Phase; 2] = [Phase { coupled: 2, single: 3 }, Phase { coupled: 2, single: u32::MAX }];
 
 /// A strand whose iteration was cut short moves with its root if it is further from convergence than this, rad: halfway,
 /// strands of a tangle would be flung about.
@@ -263,7 +264,7 @@ impl ConstrainedSubstep {
         // The solve is rough until a search finds nothing new: a contact detected later would undo an exact solution.
         let mut rough = searches > 0;
         for search in 0..searches {
-            self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
+            self.iterate(scene, h, contact, EARLY.get(search as usize).copied().unwrap_or(Phase::ALL));
             let stopped = scene.meter.stopped();
             if stopped != Stopped::No {
                 return self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(stopped));
@@ -288,9 +289,9 @@ impl ConstrainedSubstep {
                 rough = false;
             }
         }
-        self.iterate(scene, h, contact, u32::MAX);
+        self.iterate(scene, h, contact, Phase::ALL);
         if rough && self.refine() {
-            self.iterate(scene, h, contact, u32::MAX);
+            self.iterate(scene, h, contact, Phase::ALL);
         }
         if searches > 0 && !scene.meter.is_halted() {
             // No more contacts are added, and what there is is reported.
@@ -449,8 +450,8 @@ impl ConstrainedSubstep {
                 constrained.final_poses.extend(constrained.body_motions.iter().map(|[_, end]| *end));
             }
             constrained.alone = constrained.lags();
-            (constrained.first_order, constrained.begins_again, constrained.ended, constrained.resting) =
-                (strand.touched, false, None, false);
+            (constrained.first_order, constrained.begins_again, constrained.resting) = (strand.touched, false, false);
+            (constrained.ended, constrained.progress) = (None, None);
             (constrained.left_deep, constrained.has_undetected, constrained.behind, constrained.carried) =
                 (false, false, false, false);
             (constrained.root_gap, constrained.looked_ahead, constrained.advanced) = (f64::INFINITY, false, false);
@@ -532,6 +533,9 @@ impl ConstrainedSubstep {
                 && let Some(ending) = island.strands.first().and_then(ended)
             {
                 island.keep(ending);
+            }
+            if let Some(progress) = island.strands.first().and_then(|first| self.strands[*first as usize].progress.take()) {
+                island.resume(progress);
             }
         }
         for constraint in self.constraints.drain(..) {

@@ -415,8 +415,13 @@ impl ContactDetection {
             constrained.ended = islands[constrained.island as usize].ended();
             constrained.resting |= constrained.ended.is_some_and(|ending| ending.converged);
         }
+        for island in &*islands {
+            strands[island.strands[0] as usize].progress = island.progress();
+        }
         for end in undetected.iter().flat_map(StepConstraint::ends) {
             strands[end.strand as usize].ended = None;
+            let island = &islands[strands[end.strand as usize].island as usize];
+            strands[island.strands[0] as usize].progress = None;
         }
         // Attachments are made again; the models of resting strands are not.
         for constrained in &*strands {
