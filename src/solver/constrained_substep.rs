@@ -44,16 +44,15 @@ use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::constrained_packs::AnyPack;
 use crate::step::{Setting, StrandOutcome};
-use iterations::Phase;
 use packs::{Packs, Pair, Work};
 use solitary::Member;
 
 /// The largest number of searches for undetected contacts.
 const MAX_SEARCHES: u32 = 16;
 /// The first searches follow after this many Newton iterations: most new contacts are visible by then, and need not wait until
-/// the others are exact. (Sooner, contacts of a mere first guess would be kept, and the energy of long runs grows.) A strand that bodies
-/// alone touch is near its end after three; one among others waits for them, and is looked at twice.
-const EARLY: [Phase; 2] = [Phase { coupled: 2, single: 3 }, Phase { coupled: 2, single: u32::MAX }];
+/// the others are exact. (Sooner, contacts of a mere first guess would be kept, and the energy of long runs grows.)
+const EARLY: u32 = 2;
+const EARLY_ITERATIONS: u32 = 2;
 
 /// A strand whose iteration was cut short moves with its root if it is further from convergence than this, rad: halfway,
 /// strands of a tangle would be flung about.
@@ -264,7 +263,7 @@ impl ConstrainedSubstep {
         // The solve is rough until a search finds nothing new: a contact detected later would undo an exact solution.
         let mut rough = searches > 0;
         for search in 0..searches {
-            self.iterate(scene, h, contact, EARLY.get(search as usize).copied().unwrap_or(Phase::ALL));
+            self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
             let stopped = scene.meter.stopped();
             if stopped != Stopped::No {
                 return self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(stopped));
@@ -289,9 +288,9 @@ impl ConstrainedSubstep {
                 rough = false;
             }
         }
-        self.iterate(scene, h, contact, Phase::ALL);
+        self.iterate(scene, h, contact, u32::MAX);
         if rough && self.refine() {
-            self.iterate(scene, h, contact, Phase::ALL);
+            self.iterate(scene, h, contact, u32::MAX);
         }
         if searches > 0 && !scene.meter.is_halted() {
             // No more contacts are added, and what there is is reported.

@@ -266,22 +266,24 @@ fn diverged_strands_return() {
 }
 
 /// The work of a step grows with the strands as they need it. Curls that stand on a ball shaken as hard as a head can be (0.5 rad at 2 Hz) need more than
-/// that: three in ten strand steps are left; with 60 units for every further element instead of 200 it is 45 in a hundred.
+/// that: three in ten strand steps are left; with 60 units for every further element instead of 200 it is 45 in a hundred. (Strands
+/// that are left fall behind and need more in the next step, so that one shake says little: the mean of five.)
 #[test]
 fn the_usual_work_grows_with_the_work_that_strands_need() {
-    let strands = 600;
-    let mut head = Head::of(strands, ContactModel::Coulomb, 50, Workers::Pool(2));
+    let (strands, steps, shakes) = (600, 24, [0.48, 0.49, 0.5, 0.51, 0.52]);
     let (mut left, mut dearest) = (0, 0);
-    let steps = 24;
-    for step in 0..steps {
-        let phase = 2.0 * PI * 2.0 * f64::from(step) * H;
-        head.send(Vector3::zeros(), UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5 * phase.sin()));
-        let report = head.solver.step(H, 1).unwrap();
-        (left, dearest) = (left + report.left, dearest.max(report.work));
+    for angle in shakes {
+        let mut head = Head::of(strands, ContactModel::Coulomb, 50, Workers::Pool(2));
+        for step in 0..steps {
+            let phase = 2.0 * PI * 2.0 * f64::from(step) * H;
+            head.send(Vector3::zeros(), UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle * phase.sin()));
+            let report = head.solver.step(H, 1).unwrap();
+            (left, dearest) = (left + report.left, dearest.max(report.work));
+        }
     }
-    let usual = usual_work(strands * ELEMENTS);
-    println!("{left} of {} strand steps left, dearest {dearest} of {usual} units", strands as u32 * steps);
-    assert!(f64::from(left) < 0.36 * f64::from(strands as u32 * steps), "{left}");
+    let (all, usual) = (strands as u32 * steps * shakes.len() as u32, usual_work(strands * ELEMENTS));
+    println!("{left} of {all} strand steps left, dearest {dearest} of {usual} units");
+    assert!(f64::from(left) < 0.36 * f64::from(all), "{left}");
 }
 
 /// How far a strand winds about a rod along y, as seen along it, rad: below zero where it goes past it in front.

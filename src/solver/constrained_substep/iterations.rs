@@ -16,40 +16,24 @@ use crate::step::options::Integrator;
 /// Islands with at least this many constraints are solved by all threads together.
 const LARGE: usize = 1000;
 
-/// The largest numbers of Newton iterations until the next search for contacts.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Phase {
-    /// Of islands that couple strands.
-    pub coupled: u32,
-    /// Of strands that share no constraint with others.
-    pub single: u32,
-}
-
-impl Phase {
-    /// As many as it takes.
-    pub const ALL: Self = Self { coupled: u32::MAX, single: u32::MAX };
-}
-
 /// Work is not short where as much as this many iterations of all strands take is left.
 const AMPLE: u64 = 100;
 
 impl ConstrainedSubstep {
-    /// Newton iterations of all islands until the next search.
-    pub(super) fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, phase: Phase) {
+    /// At most `most` Newton iterations of all islands.
+    pub(super) fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
         let half = |constrained: &ConstrainedStrand| constrained.half_work_with(constrained.attachments.len());
         let is_ample = strands.iter().map(half).sum::<u64>() <= scene.meter.left() / (2 * AMPLE);
         for island in islands.iter_mut() {
-            let is_single = island.strands.len() == 1;
-            island.is_solitary = is_ample && is_single;
-            island.iterations_left = if is_single { phase.single } else { phase.coupled };
+            (island.is_solitary, island.iterations_left) = (is_ample && island.strands.len() == 1, most);
         }
         for constrained in strands.iter_mut() {
             constrained.is_solitary = islands[constrained.island as usize].is_solitary;
         }
         self.packs.forget_mixed_look_ahead(strands);
         self.iterate_solitary(scene, h);
-        self.iterate_coupled(scene, h);
+        self.iterate_coupled(scene, h, most);
         // Here and not at the end of the substep: the next search forms new islands.
         for island in &mut self.islands[..self.island_count] {
             contact.iterations = contact.iterations.max(island.iterations);
@@ -58,22 +42,21 @@ impl ConstrainedSubstep {
     }
 
     /// Those of islands whose strands are not solitary.
-    fn iterate_coupled(&mut self, scene: &mut Scene, h: f64) {
+    fn iterate_coupled(&mut self, scene: &mut Scene, h: f64, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
         let Self { strands, islands, packs, count, island_count, contact_seconds, at_work, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         if islands.iter().all(|island| island.is_solitary) {
             return;
         }
-        loop {
+        for _ in 0..most {
             let stopped = scene.meter.stopped();
             if stopped != Stopped::No {
                 islands.iter_mut().filter(|island| !island.is_solitary).for_each(|island| island.stop(stopped));
                 break;
             }
             let coupled = islands.iter_mut().filter(|island| !island.is_solitary);
-            let ended = |island: &&mut Island| island.done && island.iterations_left > 0 && island.ending.stopped == Stopped::No;
-            for island in coupled.filter(ended) {
+            for island in coupled.filter(|island| island.done && island.ending.stopped == Stopped::No) {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
                     for kink in &kinks {
@@ -89,7 +72,7 @@ impl ConstrainedSubstep {
                     }
                 }
             }
-            let goes = |island: &Island| !island.is_solitary && !island.done && island.iterations_left > 0;
+            let goes = |island: &Island| !island.is_solitary && !island.done;
             if !islands.iter().any(goes) {
                 break;
             }
@@ -138,7 +121,6 @@ impl ConstrainedSubstep {
             scene.workers.for_each(islands, |island, _| {
                 if goes(island) {
                     island.check(strands, options, setting.options.tolerance, h);
-                    island.iterations_left -= 1;
                 }
             });
         }
