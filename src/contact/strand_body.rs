@@ -342,6 +342,13 @@ impl Search<'_, '_> {
         self.scratch.more.clear();
         let mut pieces = std::mem::take(&mut self.scratch.pieces);
         let mut close = std::mem::take(&mut self.scratch.close);
+        // Along a chord the distance from a convex shape falls at one end and rises at the other if there is a minimum in between.
+        // Along an arc its slope may have turned by then: an overlap is possible where the tangents leave room for it.
+        let (is_convex, bend, thickness) = (self.body.shape.is_smooth_convex(), path.now.bend(), self.thickness);
+        let may_overlap = |a: &Sample<Surface>, b: &Sample<Surface>| {
+            let bar = thickness.min(a.value).min(b.value) - undetected_overlap::TOLERANCE;
+            is_convex && undetected_overlap::lowest_possible(a, b, bend) < bar
+        };
         for pair in nodes.windows(2) {
             if pair.iter().any(|node| node.far.is_some()) {
                 (before, crest) = (f64::INFINITY, f64::INFINITY);
@@ -375,7 +382,7 @@ impl Search<'_, '_> {
                     // Where the mean slope is not between those at the ends, these do not determine the distance.
                     let determined = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
                         let mean = (b.value - a.value) / length;
-                        mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3
+                        mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3 && !may_overlap(&a, &b)
                     });
                     if !determined && depth < DEEPEST_SPLIT {
                         let s = 0.5 * (ends[0] + ends[1]);

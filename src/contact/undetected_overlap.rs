@@ -2,7 +2,7 @@
 //!
 //! Along a chord the distance to one triangle is convex, along an arc of curvature κ convex but for κ: with g(s) = d(s) − κ/2
 //! (s−a)(b−s) its tangents at the ends bound it from below. So no triangle with an overlap of more than the tolerance goes
-//! undetected, however short the path over it.
+//! undetected, however short the path over it. The same bound says where a piece near a convex shape has to be halved.
 
 use nalgebra::Vector3;
 
@@ -59,7 +59,7 @@ pub(super) fn find(
 }
 
 /// A bound from below between two places of a distance that is convex but for `bend`.
-fn lowest_possible<T>(a: &Sample<T>, b: &Sample<T>, bend: f64) -> f64 {
+pub(super) fn lowest_possible<T>(a: &Sample<T>, b: &Sample<T>, bend: f64) -> f64 {
     let span = b.s - a.s;
     let (falls, rises) = (a.slope - 0.5 * bend * span, b.slope + 0.5 * bend * span);
     let cut = ((a.value - b.value + rises * span) / (rises - falls)).clamp(0.0, span);

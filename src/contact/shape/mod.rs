@@ -292,6 +292,11 @@ impl Shape {
         }
     }
 
+    /// Whether its distance is known everywhere and convex: along a straight line its slope never falls.
+    pub(in crate::contact) fn is_smooth_convex(&self) -> bool {
+        !matches!(self.0, Kind::Hull(_) | Kind::Mesh(_) | Kind::Grid(_))
+    }
+
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
         match &self.0 {
