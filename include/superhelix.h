@@ -942,6 +942,22 @@ SHX_API shx_result shx_solver_teleport_roots(shx_solver *solver, const shx_stran
 SHX_API shx_result shx_solver_get_root_frames(const shx_solver *solver, const shx_strand_id *ids,
     size_t count, const shx_output *frames);
 
+// Samples the smooth motion through recorded poses, such as those of a head: poses->count frames
+// (SHX_FORMAT_FRAME, m), at pose_times (as many, s, strictly increasing, at least one). The motion is cubic
+// between poses, exact at them, continuous in velocity, and constant before the first and after the last.
+// Successive poses must differ by less than half a turn.
+// times: count times, s. Writes for each the frame (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for quaternions
+// alone), the velocity of its origin (m/s) and its angular velocity (rad/s; SHX_FORMAT_F32X3 or _F64X3), in
+// world axes: zero outside the poses' times, and one-sided at the first and the last. Any of the outputs may
+// be null, but not all. Pass frames to shx_solver_set_root_frames, and the velocities at the first time to
+// shx_strand_def.root_velocity and .root_angular_velocity.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a value that is not finite, times that do not
+// increase, a quaternion that is not of unit length), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY.
+// Threads: any.
+SHX_API shx_result shx_sample_motion(const double *pose_times, const shx_input *poses, const double *times,
+    size_t count, const shx_output *frames, const shx_output *velocities,
+    const shx_output *angular_velocities);
+
 // ---- Targets ----------------------------------------------------------------------------------------------
 
 // Curves to which strands are drawn. Fill it with shx_target_def_init, then set curve_count and points. The
@@ -3427,9 +3443,10 @@ SHX_API shx_result shx_fit_friction(const shx_solver_def *solver, const shx_stra
 
 // ---- Groom files and caches -------------------------------------------------------------------------------
 
-// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines),
-// .usda (USD text, first time sample) or plain .data. path is UTF-8 (on Unix any bytes). You
-// own *out_curves; free it with shx_curves_destroy.
+// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines), .usda
+// (USD text, first time sample), .abc (Alembic in Ogawa, first sample), .data (strands), .ply (points of
+// strands), .npy or .npz (NumPy, strands by points by three). docs/reference/files.md says what of each.
+// path is UTF-8 (on Unix any bytes). You own *out_curves; free it with shx_curves_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (unreadable, unknown format,
 // truncated, too large, malformed), SHX_ERROR_OUT_OF_MEMORY.
 // Threads: any.

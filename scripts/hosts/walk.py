@@ -37,7 +37,7 @@ def advance(made: GroomSolver, motion: shx.motion.Motion, frame: int) -> None:
 def run(folder: Path) -> None:
     """Simulates, and keeps points and a snapshot each ten frames."""
     groom, body, motion = scene()
-    with shx.prepare(groom, body=body, worker_count=2) as made:
+    with shx.prepare(groom, body=body, motion=motion, worker_count=2) as made:
         rows, images = [], {}
         for frame in range(FRAMES):
             if frame:
@@ -71,7 +71,7 @@ def scrub(folder: Path) -> None:
     kept = [np.array(points[frame]) for frame in order]
     print(f"kept points: {1e3 * (time.perf_counter() - began) / len(order):.2f} ms a frame")
     groom, body, motion = scene()
-    with shx.prepare(groom, body=body, worker_count=2) as made:
+    with shx.prepare(groom, body=body, motion=motion, worker_count=2) as made:
         began = time.perf_counter()
         for frame, there in zip(order, kept, strict=True):
             at = frame // EVERY * EVERY

@@ -60,6 +60,20 @@ namespace Superhelix.Tests
       Check.That(spline.Points.Length == 21 && spline.Arclengths[0] == 0 && Check.Distance(spline.Points[20], new Vec3(0.02, 0, -0.2)) < 1e-12, "spline");
     }
 
+    internal static void Motions()
+    {
+      // A turn about z at 2 rad/s on a way at 0.5 m/s.
+      double[] poseTimes = { 0, 0.1, 0.2, 0.3 };
+      Frame[] poses = new Frame[4];
+      for (int k = 0; k < 4; k++)
+        poses[k] = new Frame(new Vec3(0.5 * poseTimes[k], 0, 1), new Quat(0, 0, Math.Sin(poseTimes[k]), Math.Cos(poseTimes[k])));
+      MotionSamples made = Motion.Sample(poseTimes, poses, new[] { -1, 0, 0.17 });
+      Check.That(Check.Distance(made.Frames[2].Origin, new Vec3(0.085, 0, 1)) < 1e-12 && Math.Abs(made.Frames[2].Rotation.Z - Math.Sin(0.17)) < 1e-12, "frames");
+      Check.That(made.Velocities[0].X == 0 && Check.Distance(made.Velocities[1], new Vec3(0.5, 0, 0)) < 1e-12, "velocities");
+      Check.That(Check.Distance(made.AngularVelocities[2], new Vec3(0, 0, 2)) < 1e-12, "angular velocities");
+      Check.Throws<ArgumentException>(() => Motion.Sample(new double[3], poses, new double[1]), "poseTimes holds 3");
+    }
+
     internal static void Friction()
     {
       const double truth = 2e-5;

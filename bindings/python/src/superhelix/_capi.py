@@ -1405,6 +1405,7 @@ class Functions:
     shx_solver_set_root_frames: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_teleport_roots: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_get_root_frames: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_sample_motion: Callable[[Pointer, Pointer, Pointer, int, Pointer, Pointer, Pointer], int]
     shx_target_def_init: Callable[[Pointer, int], int]
     shx_solver_set_targets: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_clear_targets: Callable[[Pointer, Pointer, int], int]
@@ -1666,6 +1667,10 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_solver_teleport_roots": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_get_root_frames": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_sample_motion": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p],
+    ),
     "shx_target_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_set_targets": (
         ctypes.c_int32,
