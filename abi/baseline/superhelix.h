@@ -168,8 +168,8 @@ typedef struct shx_curves shx_curves;
 typedef struct shx_haptic shx_haptic;
 
 // The binding of render strands to guides. shx_render_hair_create, shx_solver_create_render_hair,
-// shx_render_hair_load and shx_render_hair_without_guides make it, you own it, shx_render_hair_destroy frees
-// it. Immutable: any number of threads may use it at once.
+// shx_render_hair_load, shx_render_hair_without_guides and shx_render_hair_with_own_shapes make it,
+// you own it, shx_render_hair_destroy frees it. Immutable: any number of threads may use it at once.
 typedef struct shx_render_hair shx_render_hair;
 
 // The pose of the guides of a shx_render_hair at one moment. shx_render_pose_create makes
@@ -4213,6 +4213,21 @@ SHX_API shx_result shx_render_hair_load(const void *image, size_t size, const sh
 // Threads: any.
 SHX_API shx_result shx_render_hair_without_guides(const shx_render_hair *hair, const uint32_t *removed,
     size_t count, shx_render_hair **out_hair);
+
+// Creates a copy of render hair whose strands have shapes of their own: while the guides are as at creation,
+// each strand is the curve that points has for it (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number
+// is ignored; m, strand by strand, root first). When guides move, the difference between a strand and its
+// guides moves with the frames of its first guide, and the strand keeps its own length. Wisps and frizz act
+// only by how they change as guides move. length_variation cuts strands short along their own shapes.
+// count must be the number of strands. point_counts: a number for each strand, 1 or above, that sum to
+// points.count; curves are then resampled uniformly in arclength. Null: each curve has
+// settings.points_per_strand points, uniform in arclength. shx_render_hair_save includes the shapes. Poses
+// belong to the hair that they were created for. You own *out_hair; free it with shx_render_hair_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another count, a value that is not finite),
+// SHX_ERROR_UNSUPPORTED (threads that could not be started).
+// Threads: any.
+SHX_API shx_result shx_render_hair_with_own_shapes(const shx_render_hair *hair, const shx_input *points,
+    const uint32_t *point_counts, size_t count, shx_render_hair **out_hair);
 
 // Frees render hair. Poses of it remain valid. Null is allowed.
 // Threads: any. The handle must not be used afterwards.

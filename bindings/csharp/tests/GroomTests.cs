@@ -255,6 +255,19 @@ namespace Superhelix.Tests
             again.Evaluate(null, all);
             Check.That(all[17].Z == points[17].Z, "loaded");
           }
+          // The hair has moved by 0.1 m since it was bound.
+          Vec3[] bent = new Vec3[160];
+          for (int k = 0; k < 160; k++)
+            bent[k] = new Vec3(points[k].X, points[k].Y - 0.1 + 0.001 * (k % 8), points[k].Z);
+          using (RenderHair own = map.WithOwnShapes(bent, 20))
+          using (RenderPose ownPose = own.CreatePose())
+          {
+            hair.SetRenderPose(ids, false, ownPose);
+            ownPose.Evaluate(null, all);
+            Check.Near(all[15].Y, bent[15].Y + 0.1, 2e-6, "its own shape");
+          }
+          Check.Fails(ErrorCode.InvalidArgument, () => map.WithOwnShapes(bent, 19));
+          Check.Throws<ArgumentException>(() => map.WithOwnShapes(bent, 20, new uint[19]), "pointCounts holds 19");
           using (RenderHair fewer = map.WithoutGuides(new uint[] { 3 }))
           {
             fewer.Wisps(0, guides);

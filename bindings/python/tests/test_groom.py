@@ -105,9 +105,9 @@ def test_motions_that_cannot_be_are_refused() -> None:
             motion_from_samples([0.0, np.nan], [pose, pose], interpolation=kind)
         with pytest.raises(ValueError, match="times: 0 times"):
             motion_from_samples([], np.zeros((0, 7)), interpolation=kind)
-    with pytest.raises(shx.InvalidArgument, match=r"poses\[1\]\.rotation"):
+    with pytest.raises(shx.InvalidArgumentError, match=r"poses\[1\]\.rotation"):
         motion_from_samples([0.0, 1.0], [pose, [0.0, 0, 0, 0, 0, 0, 2]])
-    with pytest.raises(shx.InvalidArgument, match=r"times\[0\]"):
+    with pytest.raises(shx.InvalidArgumentError, match=r"times\[0\]"):
         motion_from_samples([0.0, 1.0], [pose, pose])(np.inf)
 
 

@@ -58,7 +58,7 @@ def frames_of(folder: Path, name: str, first: int, count: int) -> list[np.ndarra
 def alike(one: np.ndarray, other: np.ndarray) -> None:
     """Single-precision numbers in m that are equal but for a last bit of one in twenty."""
     assert one.dtype == other.dtype == np.float32
-    assert np.abs(one - other).max() < 1e-7 and (one == other).mean() > 0.95
+    assert np.abs(one - other).max() <= np.spacing(np.abs(one).max()) and (one == other).mean() > 0.95
 
 
 @pytest.mark.skipif(BINARY is None, reason="SUPERHELIX_BINARY names no superhelix program")

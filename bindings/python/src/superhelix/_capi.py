@@ -1592,6 +1592,7 @@ class Functions:
     shx_render_hair_save: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_render_hair_load: Callable[[Pointer, int, Pointer, Pointer], int]
     shx_render_hair_without_guides: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_render_hair_with_own_shapes: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
     shx_render_hair_destroy: Callable[[Pointer], None]
     shx_render_hair_wisps: Callable[[Pointer, int, int, Pointer, Pointer], int]
     shx_render_pose_create: Callable[[Pointer, Pointer], int]
@@ -2029,6 +2030,10 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_render_hair_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_render_hair_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_render_hair_without_guides": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_render_hair_with_own_shapes": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
     "shx_render_hair_destroy": (None, [ctypes.c_void_p]),
     "shx_render_hair_wisps": (
         ctypes.c_int32,

@@ -94,7 +94,7 @@ def motion_from_samples(times: npt.ArrayLike, poses: Any, *, interpolation: Lite
     return motion
 
 
-def frames_at(motion: Motion, times: Numbers) -> Iterator[npt.ArrayLike]:
+def frames_at(motion: Motion, times: npt.NDArray[np.floating[Any]]) -> Iterator[npt.ArrayLike]:
     """Iterates over a motion's frames at times, s."""
     return iter(motion(times)) if isinstance(motion, SmoothMotion) else map(motion, times.tolist())
 

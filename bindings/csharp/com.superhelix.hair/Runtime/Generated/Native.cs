@@ -694,6 +694,9 @@ namespace Superhelix
     internal static extern int shx_render_hair_without_guides(RenderHairHandle hair, uint* removed, UIntPtr count, IntPtr* out_hair);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_render_hair_with_own_shapes(RenderHairHandle hair, RawView* points, uint* point_counts, UIntPtr count, IntPtr* out_hair);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern void shx_render_hair_destroy(IntPtr hair);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
