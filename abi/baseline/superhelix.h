@@ -168,8 +168,8 @@ typedef struct shx_curves shx_curves;
 typedef struct shx_haptic shx_haptic;
 
 // The binding of render strands to guides. shx_render_hair_create, shx_solver_create_render_hair,
-// shx_render_hair_load and shx_render_hair_without_guides make it, you own it, shx_render_hair_destroy frees
-// it. Immutable: any number of threads may use it at once.
+// shx_render_hair_load, shx_render_hair_without_guides and shx_render_hair_with_own_shapes make it,
+// you own it, shx_render_hair_destroy frees it. Immutable: any number of threads may use it at once.
 typedef struct shx_render_hair shx_render_hair;
 
 // The pose of the guides of a shx_render_hair at one moment. shx_render_pose_create makes
@@ -941,6 +941,22 @@ SHX_API shx_result shx_solver_teleport_roots(shx_solver *solver, const shx_stran
 // Threads: shared.
 SHX_API shx_result shx_solver_get_root_frames(const shx_solver *solver, const shx_strand_id *ids,
     size_t count, const shx_output *frames);
+
+// Samples the smooth motion through recorded poses, such as those of a head: poses->count frames
+// (SHX_FORMAT_FRAME, m), at pose_times (as many, s, strictly increasing, at least one). The motion is cubic
+// between poses, exact at them, continuous in velocity, and constant before the first and after the last.
+// Successive poses must differ by less than half a turn.
+// times: count times, s. Writes for each the frame (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for quaternions
+// alone), the velocity of its origin (m/s) and its angular velocity (rad/s; SHX_FORMAT_F32X3 or _F64X3), in
+// world axes: zero outside the poses' times, and one-sided at the first and the last. Any of the outputs may
+// be null, but not all. Pass frames to shx_solver_set_root_frames, and the velocities at the first time to
+// shx_strand_def.root_velocity and .root_angular_velocity.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a value that is not finite, times that do not
+// increase, a quaternion that is not of unit length), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY.
+// Threads: any.
+SHX_API shx_result shx_sample_motion(const double *pose_times, const shx_input *poses, const double *times,
+    size_t count, const shx_output *frames, const shx_output *velocities,
+    const shx_output *angular_velocities);
 
 // ---- Targets ----------------------------------------------------------------------------------------------
 
@@ -1796,7 +1812,8 @@ typedef struct shx_contact_options {
 // Threads: any.
 SHX_API shx_result shx_contact_options_init(shx_contact_options *options, size_t size);
 
-// Sets the contact options, from the next step on.
+// Sets the contact options, from the next step on. SHX_CONTACT_COULOMB with max_iterations of 10 or less is
+// accepted with one SHX_LOG_WARN message: there it is a limit that strands run into, and no choice of cost.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range).
 // Threads: exclusive.
 SHX_API shx_result shx_solver_set_contact_options(shx_solver *solver, const shx_contact_options *options);
@@ -3426,9 +3443,10 @@ SHX_API shx_result shx_fit_friction(const shx_solver_def *solver, const shx_stra
 
 // ---- Groom files and caches -------------------------------------------------------------------------------
 
-// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines),
-// .usda (USD text, first time sample) or plain .data. path is UTF-8 (on Unix any bytes). You
-// own *out_curves; free it with shx_curves_destroy.
+// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines), .usda
+// (USD text, first time sample), .abc (Alembic in Ogawa, first sample), .data (strands), .ply (points of
+// strands), .npy or .npz (NumPy, strands by points by three). docs/reference/files.md says what of each.
+// path is UTF-8 (on Unix any bytes). You own *out_curves; free it with shx_curves_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (unreadable, unknown format,
 // truncated, too large, malformed), SHX_ERROR_OUT_OF_MEMORY.
 // Threads: any.
@@ -4195,6 +4213,21 @@ SHX_API shx_result shx_render_hair_load(const void *image, size_t size, const sh
 // Threads: any.
 SHX_API shx_result shx_render_hair_without_guides(const shx_render_hair *hair, const uint32_t *removed,
     size_t count, shx_render_hair **out_hair);
+
+// Creates a copy of render hair whose strands have shapes of their own: while the guides are as at creation,
+// each strand is the curve that points has for it (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number
+// is ignored; m, strand by strand, root first). When guides move, the difference between a strand and its
+// guides moves with the frames of its first guide, and the strand keeps its own length. Wisps and frizz act
+// only by how they change as guides move. length_variation cuts strands short along their own shapes.
+// count must be the number of strands. point_counts: a number for each strand, 1 or above, that sum to
+// points.count; curves are then resampled uniformly in arclength. Null: each curve has
+// settings.points_per_strand points, uniform in arclength. shx_render_hair_save includes the shapes. Poses
+// belong to the hair that they were created for. You own *out_hair; free it with shx_render_hair_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another count, a value that is not finite),
+// SHX_ERROR_UNSUPPORTED (threads that could not be started).
+// Threads: any.
+SHX_API shx_result shx_render_hair_with_own_shapes(const shx_render_hair *hair, const shx_input *points,
+    const uint32_t *point_counts, size_t count, shx_render_hair **out_hair);
 
 // Frees render hair. Poses of it remain valid. Null is allowed.
 // Threads: any. The handle must not be used afterwards.

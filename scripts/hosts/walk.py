@@ -26,6 +26,13 @@ def scene() -> tuple[shx.Groom, shx.BodyDef, shx.motion.Motion]:
     return groom, body, shx.motion_from_samples(*shx.read_motion(GROOMS / "walk_figure8_head.csv"))
 
 
+def hair() -> shx.Material:
+    """The hair that the command line takes by default: the type caucasian1."""
+    row = shx.hair_strands(shx.hair_type("caucasian1"), [1], [0.1]).strands.data[0]
+    names = ("radius", "density", "youngs_modulus", "poisson_ratio", "internal_friction", "viscosity", "air_drag")
+    return shx.Material(**{name: row[name].tolist() for name in names})
+
+
 def advance(made: GroomSolver, motion: shx.motion.Motion, frame: int) -> None:
     """Steps to a frame from the one before."""
     interval = 1.0 / (FPS * SUBSTEPS)
@@ -37,7 +44,7 @@ def advance(made: GroomSolver, motion: shx.motion.Motion, frame: int) -> None:
 def run(folder: Path) -> None:
     """Simulates, and keeps points and a snapshot each ten frames."""
     groom, body, motion = scene()
-    with shx.prepare(groom, body=body, worker_count=2) as made:
+    with shx.prepare(groom, body=body, hair=hair(), motion=motion, worker_count=2) as made:
         rows, images = [], {}
         for frame in range(FRAMES):
             if frame:
@@ -71,7 +78,7 @@ def scrub(folder: Path) -> None:
     kept = [np.array(points[frame]) for frame in order]
     print(f"kept points: {1e3 * (time.perf_counter() - began) / len(order):.2f} ms a frame")
     groom, body, motion = scene()
-    with shx.prepare(groom, body=body, worker_count=2) as made:
+    with shx.prepare(groom, body=body, hair=hair(), motion=motion, worker_count=2) as made:
         began = time.perf_counter()
         for frame, there in zip(order, kept, strict=True):
             at = frame // EVERY * EVERY
@@ -96,6 +103,7 @@ def bake(folder: Path, name: str) -> None:
         points_per_strand=POINTS,
         cache=folder / name,
         body=body,
+        hair=hair(),
         worker_count=2,
     )
     print(f"{name}: {(folder / name).stat().st_size / 1e6:.1f} MB")

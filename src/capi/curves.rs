@@ -51,9 +51,10 @@ pub(super) unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Cu
     }
 }
 
-/// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines),
-/// .usda (USD text, first time sample) or plain .data. path is UTF-8 (on Unix any bytes). You
-/// own *out_curves; free it with shx_curves_destroy.
+/// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines), .usda
+/// (USD text, first time sample), .abc (Alembic in Ogawa, first sample), .data (strands), .ply (points of
+/// strands), .npy or .npz (NumPy, strands by points by three). docs/reference/files.md says what of each.
+/// path is UTF-8 (on Unix any bytes). You own *out_curves; free it with shx_curves_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (unreadable, unknown format,
 /// truncated, too large, malformed), SHX_ERROR_OUT_OF_MEMORY.
 /// Threads: any.

@@ -39,6 +39,7 @@
 //! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
 //! - `log.rs`: Messages to the host.
 //! - `materials.rs`: Materials of simulated strands.
+//! - `motion.rs`: Samples a smooth motion through poses, for hosts that have recorded poses of a head.
 //! - `output_transform.rs`: Output transforms from the engine's space to the host's: other units, other axes, mirrored.
 //! - `overlaps.rs`: Overlaps of strands in the current scene, and permitted overlaps.
 //! - `parallel.rs`: The host's task system behind the engine's `ParallelFor`.
@@ -110,6 +111,7 @@ pub mod haptic_ring_comb;
 pub mod level_of_detail;
 pub mod log;
 pub mod materials;
+pub mod motion;
 mod output_transform;
 pub mod overlaps;
 pub mod parallel;

@@ -5,7 +5,7 @@ use std::sync::{Arc, RwLock};
 
 use nalgebra::Vector3;
 
-use super::buffers::{OutputList, OutputValue, PLACE_FORMATS, Reader, Writer, array, strand_ids, tangent};
+use super::buffers::{OutputList, OutputValue, PLACE_FORMATS, POINT_FORMATS, Reader, Writer, array, strand_ids, tangent};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver};
 use super::output_transform::OutputTransform;
@@ -17,12 +17,13 @@ use super::versioned::read_versioned;
 use crate::error::{Error, Result};
 use crate::groom::render_hair::{
     GuideSamples, Motion, RenderBody, RenderHair, RenderPose, RenderSettings, StrandPoints, StrandSink, VELOCITY_STEP, View,
+    resampled,
 };
 use crate::workers::Workers;
 
 /// The binding of render strands to guides. shx_render_hair_create, shx_solver_create_render_hair,
-/// shx_render_hair_load and shx_render_hair_without_guides make it, you own it, shx_render_hair_destroy frees
-/// it. Immutable: any number of threads may use it at once.
+/// shx_render_hair_load, shx_render_hair_without_guides and shx_render_hair_with_own_shapes make it,
+/// you own it, shx_render_hair_destroy frees it. Immutable: any number of threads may use it at once.
 pub struct shx_render_hair(Arc<RenderHair>);
 
 /// The pose of the guides of a shx_render_hair at one moment. shx_render_pose_create makes
@@ -213,6 +214,54 @@ pub unsafe extern "C" fn shx_render_hair_without_guides(
         let left = || hair.without_guides(removed).map_err(|error| error.renamed("gone", "removed"));
         let left = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(left) } else { left() }?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(left)))));
+        Ok(())
+    })
+}
+
+/// Creates a copy of render hair whose strands have shapes of their own: while the guides are as at creation,
+/// each strand is the curve that points has for it (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number
+/// is ignored; m, strand by strand, root first). When guides move, the difference between a strand and its
+/// guides moves with the frames of its first guide, and the strand keeps its own length. Wisps and frizz act
+/// only by how they change as guides move. length_variation cuts strands short along their own shapes.
+/// count must be the number of strands. point_counts: a number for each strand, 1 or above, that sum to
+/// points.count; curves are then resampled uniformly in arclength. Null: each curve has
+/// settings.points_per_strand points, uniform in arclength. shx_render_hair_save includes the shapes. Poses
+/// belong to the hair that they were created for. You own *out_hair; free it with shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another count, a value that is not finite),
+/// SHX_ERROR_UNSUPPORTED (threads that could not be started).
+/// Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_with_own_shapes(
+    hair: *const shx_render_hair,
+    points: *const shx_input,
+    point_counts: *const u32,
+    count: usize,
+    out_hair: *mut *mut shx_render_hair,
+) -> shx_result {
+    // SAFETY: the caller's handle, points, count numbers or null, and place for one pointer.
+    call("shx_render_hair_with_own_shapes", || unsafe {
+        let (hair, place) = (hair_from(hair)?, OutputValue::new("out_hair", out_hair)?);
+        let (strands, per_strand) = (hair.strand_count(), hair.settings().points_per_strand);
+        if count != strands {
+            return Err(Error::invalid("count", count, format!("{strands}, the number of strands")));
+        }
+        let reader = Reader::new("points", points, POINT_FORMATS)?;
+        let counts = if point_counts.is_null() { None } else { Some(array("point_counts", "count", point_counts, count)?) };
+        let needed = match counts {
+            Some(counts) => counts.iter().map(|count| *count as usize).fold(0, usize::saturating_add),
+            None => strands * per_strand,
+        };
+        if reader.count() != needed {
+            return Err(Error::invalid("points.count", reader.count(), needed.to_string()));
+        }
+        let mut shapes: Vec<Vector3<f64>> = (0..needed).map(|index| reader.point(index).into()).collect();
+        if let Some(counts) = counts {
+            let in_words_of_c = |error: Error| error.renamed("guides.", "");
+            shapes = resampled(&shapes, counts, None, per_strand).map_err(in_words_of_c)?.points;
+        }
+        let copy = || hair.copied_with_own_shapes(&shapes).map_err(|error| error.renamed("shapes", "points"));
+        let made = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(copy) } else { copy() }?;
+        place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(made)))));
         Ok(())
     })
 }

@@ -15,7 +15,7 @@ const SUBJECTS: [(&str, &[&str]); 37] = [
     ("Stepping", &["step_limits", "step"]),
     ("Wind", &["wind"]),
     ("Strands", &["strand_def", "strands"]),
-    ("Roots", &["roots"]),
+    ("Roots", &["roots", "motion"]),
     ("Targets", &["targets"]),
     ("Curvatures", &["shape"]),
     ("Level of detail", &["level_of_detail"]),

@@ -7,6 +7,7 @@ mod groom_files;
 mod guard;
 mod header;
 mod layout;
+mod motion;
 mod older_programs;
 mod render_hair;
 mod sampling;

@@ -460,6 +460,42 @@ fn hair_is_saved_and_outlives_a_guide() {
     }
 }
 
+#[test]
+fn strands_have_their_own_shapes_at_rest() {
+    const STRANDS: usize = 30;
+    let (points, roots) = (curves(), places(STRANDS));
+    let whole = shx_render_settings { length_variation: 0.0, ..settings(SHX_INTERPOLATION_POSITION) };
+    let plain = Made::new(&whole, &guides(&points), &roots);
+    // Bent away from the guides, each in another way, on straight pieces of equal length.
+    let shape = |strand: usize| {
+        let (root, turn) = (roots[strand], 0.7 * strand as f64);
+        let piece = [0.003 * turn.cos(), 0.003 * turn.sin(), -0.004];
+        (0..POINTS).map(move |k| [0, 1, 2].map(|axis| f64::from(root[axis]) + piece[axis] * k as f64))
+    };
+    let shapes: Vec<[f64; 3]> = (0..STRANDS).flat_map(shape).collect();
+    let ends: Vec<[f64; 3]> = shapes.chunks(POINTS).flat_map(|strand| [strand[0], strand[POINTS - 1]]).collect();
+    let made = |points: &[[f64; 3]], counts: *const u32| {
+        let input =
+            shx_input { data: points.as_ptr().cast(), stride: 0, count: points.len(), format: SHX_FORMAT_F64X3, reserved: 0 };
+        let mut own = Made { hair: null_mut(), pose: null_mut() };
+        // SAFETY: living handles, and memory of the sizes that are stated.
+        unsafe {
+            assert_eq!(shx_render_hair_with_own_shapes(plain.hair, &input, counts, STRANDS, &raw mut own.hair), SHX_OK);
+            assert_eq!(shx_render_pose_create(own.hair, &raw mut own.pose), SHX_OK);
+            assert_eq!(shx_render_pose_set_guides(own.pose, &guides(&self::curves())), SHX_OK);
+        }
+        own
+    };
+    let before = plain.points(null(), STRANDS);
+    // Two points that are resampled make the same straight strands.
+    for own in [made(&shapes, null()), made(&ends, [2_u32; STRANDS].as_ptr())] {
+        for (found, expected) in own.points(null(), STRANDS).iter().zip(&shapes) {
+            assert!((0..3).all(|axis| (f64::from(found[axis]) - expected[axis]).abs() < 2e-6), "{found:?} {expected:?}");
+        }
+    }
+    assert!(plain.points(null(), STRANDS) == before);
+}
+
 /// Render hair in a host's centimetres, y up and left-handed, against what the host would have made of the world's.
 #[test]
 fn render_hair_comes_in_the_host_s_units_and_axes() {

@@ -108,6 +108,17 @@ TEST(render_hair_follows_guides) {
   GET(hair.set_render_pose(ids, false, again));
   GET(again.evaluate(all));
   EXPECT(all == points);
+  // With shapes of their own, which they have at rest.
+  std::vector<vec3> bent;
+  for (std::size_t k = 0; k < points.size(); k++)
+    bent.push_back({points[k][0], points[k][1] + 0.001 * static_cast<double>(k % 8), points[k][2]});
+  const auto own = GET(map.with_own_shapes(bent, 20));
+  auto own_pose = GET(own.create_pose());
+  GET(hair.set_render_pose(ids, false, own_pose));
+  GET(own_pose.evaluate(all));
+  NEAR(static_cast<double>(all[15][1]), bent[15][1], 2e-6);
+  EXPECT(WHY(map.with_own_shapes(bent, 19)).code() == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(WHY(map.with_own_shapes(bent, 20, std::vector<std::uint32_t>(19, 8))).code() == SHX_ERROR_INVALID_ARGUMENT);
   const auto fewer = GET(map.without_guides(3));
   GET(fewer.wisps(0, guides, {}));
   EXPECT(guides[19] != 3);

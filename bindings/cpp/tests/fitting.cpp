@@ -58,6 +58,24 @@ TEST(splines_are_sampled) {
   NEAR(check::distance(made.points[20], controls[2]), 0.0, 1e-12);
 }
 
+TEST(motions_are_sampled) {
+  // A turn about z at 2 rad/s on a way at 0.5 m/s.
+  const std::vector<double> pose_times{0.0, 0.1, 0.2, 0.3};
+  std::vector<frame> poses;
+  for (const double time : pose_times)
+    poses.push_back(make_frame({0.5 * time, 0.0, 1.0}, {0.0, 0.0, std::sin(time), std::cos(time)}));
+  const std::vector<double> times{-1.0, 0.0, 0.17};
+  const auto made = GET(sample_motion(pose_times, poses, times));
+  EXPECT(made.frames.size() == 3 && made.velocities.size() == 3 && made.angular_velocities.size() == 3);
+  NEAR(made.frames[2].origin[0], 0.085, 1e-12);
+  NEAR(made.frames[2].rotation[2], std::sin(0.17), 1e-12);
+  NEAR(made.velocities[0][0], 0.0, 0.0);
+  NEAR(made.velocities[1][0], 0.5, 1e-12);
+  NEAR(made.angular_velocities[2][2], 2.0, 1e-12);
+  EXPECT(WHY(sample_motion({pose_times.data(), 3}, poses, times)).code() == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(WHY(sample_motion({}, {}, times)).code() == SHX_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(friction_is_fitted_to_a_recording) {
   // A pendulum recorded in a simulation of known air drag.
   const double truth = 2e-5;

@@ -60,6 +60,20 @@ namespace Superhelix.Tests
       Check.That(spline.Points.Length == 21 && spline.Arclengths[0] == 0 && Check.Distance(spline.Points[20], new Vec3(0.02, 0, -0.2)) < 1e-12, "spline");
     }
 
+    internal static void Motions()
+    {
+      // A turn about z at 2 rad/s on a way at 0.5 m/s.
+      double[] poseTimes = { 0, 0.1, 0.2, 0.3 };
+      Frame[] poses = new Frame[4];
+      for (int k = 0; k < 4; k++)
+        poses[k] = new Frame(new Vec3(0.5 * poseTimes[k], 0, 1), new Quat(0, 0, Math.Sin(poseTimes[k]), Math.Cos(poseTimes[k])));
+      MotionSamples made = Motion.Sample(poseTimes, poses, new[] { -1, 0, 0.17 });
+      Check.That(Check.Distance(made.Frames[2].Origin, new Vec3(0.085, 0, 1)) < 1e-12 && Math.Abs(made.Frames[2].Rotation.Z - Math.Sin(0.17)) < 1e-12, "frames");
+      Check.That(made.Velocities[0].X == 0 && Check.Distance(made.Velocities[1], new Vec3(0.5, 0, 0)) < 1e-12, "velocities");
+      Check.That(Check.Distance(made.AngularVelocities[2], new Vec3(0, 0, 2)) < 1e-12, "angular velocities");
+      Check.Throws<ArgumentException>(() => Motion.Sample(new double[3], poses, new double[1]), "poseTimes holds 3");
+    }
+
     internal static void Friction()
     {
       const double truth = 2e-5;
@@ -241,6 +255,19 @@ namespace Superhelix.Tests
             again.Evaluate(null, all);
             Check.That(all[17].Z == points[17].Z, "loaded");
           }
+          // The hair has moved by 0.1 m since it was bound.
+          Vec3[] bent = new Vec3[160];
+          for (int k = 0; k < 160; k++)
+            bent[k] = new Vec3(points[k].X, points[k].Y - 0.1 + 0.001 * (k % 8), points[k].Z);
+          using (RenderHair own = map.WithOwnShapes(bent, 20))
+          using (RenderPose ownPose = own.CreatePose())
+          {
+            hair.SetRenderPose(ids, false, ownPose);
+            ownPose.Evaluate(null, all);
+            Check.Near(all[15].Y, bent[15].Y + 0.1, 2e-6, "its own shape");
+          }
+          Check.Fails(ErrorCode.InvalidArgument, () => map.WithOwnShapes(bent, 19));
+          Check.Throws<ArgumentException>(() => map.WithOwnShapes(bent, 20, new uint[19]), "pointCounts holds 19");
           using (RenderHair fewer = map.WithoutGuides(new uint[] { 3 }))
           {
             fewer.Wisps(0, guides);

@@ -17,7 +17,7 @@ namespace Superhelix.Tests
       {
         Binding, SolverTests.Strands, SolverTests.Limits, SolverTests.Hosting, SolverTests.Roots, SolverTests.Targets, SolverTests.Shapes, SolverTests.Posing, SolverTests.Sampling, SolverTests.State,
         SolverTests.Callbacks, SolverTests.Lifetimes, SolverTests.NoGarbage, ContactTests.Bodies, ContactTests.Meshes, ContactTests.Overlaps,
-        ContactTests.Constraints, ContactTests.Haptics, ContactTests.RingCombsInTheHand, ContactTests.Styles, GroomTests.Fits, GroomTests.Friction, GroomTests.Choices, GroomTests.Files, GroomTests.Scalps, GroomTests.Rendering,
+        ContactTests.Constraints, ContactTests.Haptics, ContactTests.RingCombsInTheHand, ContactTests.Styles, GroomTests.Fits, GroomTests.Motions, GroomTests.Friction, GroomTests.Choices, GroomTests.Files, GroomTests.Scalps, GroomTests.Rendering,
 #if SUPERHELIX_SPAN
         SolverTests.Spans,
 #endif

@@ -189,6 +189,26 @@ def test_render_hair_is_saved_and_loses_guides(guides) -> None:
                 pose.evaluate()
         less = hair.without_guides([5])
         assert less.wisps()[0].max() <= 4
+    with shx.RenderHair.from_solver(guides, roots, shx.RenderSettings(length_variation=0.0)) as hair:
+        pose = hair.pose()
+        pose.set_from_solver(guides)
+        shapes = pose.evaluate().astype(np.float64).reshape(37, 16, 3)
+        shapes[..., 1] += 0.02 * np.sin(np.linspace(0.0, 5.0, 16))
+        line = np.stack([shapes[:, 0], shapes[:, 0] - [0.0, 0.05, 0.1]], axis=1)
+        even = line[:, :1] + (line[:, 1:] - line[:, :1]) * np.linspace(0.0, 1.0, 16)[:, None]
+        for own, expected in (
+            (hair.with_own_shapes(shapes), shapes),
+            (hair.with_own_shapes(line.reshape(-1, 3), np.full(37, 2)), even),
+            (shx.RenderHair.load(hair.with_own_shapes(shapes).save(), points_per_strand=16), shapes),
+        ):
+            assert own.strand_count == 37
+            pose = own.pose()
+            pose.set_from_solver(guides)
+            np.testing.assert_allclose(pose.evaluate().reshape(37, 16, 3), expected, atol=2e-6)
+        with pytest.raises(ValueError, match=r"points: shape \(36, 16, 3\); \(37, points_per_strand, 3\) expected"):
+            hair.with_own_shapes(shapes[1:])
+        with pytest.raises(shx.InvalidArgumentError, match=r"points.count"):
+            hair.with_own_shapes(shapes[:, 1:].copy())
     with pytest.raises(TypeError, match="from_guides"):
         shx.RenderHair()
 

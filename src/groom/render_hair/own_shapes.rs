@@ -42,6 +42,17 @@ pub fn with_own_shapes(mut hair: RenderHair, shapes: &[Vector3<f64>]) -> Result<
     Ok(hair)
 }
 
+impl RenderHair {
+    /// A copy of the map whose strands have shapes of their own: see [`with_own_shapes`].
+    ///
+    /// # Errors
+    /// As [`with_own_shapes`]; [`Error::Unsupported`] where threads cannot be started. Keeps a host's parallel loop; creates a new pool.
+    pub(crate) fn copied_with_own_shapes(&self, shapes: &[Vector3<f64>]) -> Result<Self> {
+        let copy = Self::assembled(self.settings.clone(), self.reference.clone(), self.strands.clone(), self.curls.clone())?;
+        with_own_shapes(copy, shapes)
+    }
+}
+
 /// Calls `each` with every strand and its points as they are mixed while the guides are at rest: rows of x, y and z, relative to the origin
 /// that is given with them.
 fn mixed_at_rest(hair: &RenderHair, mut each: impl FnMut(usize, &Shape, Vector3<f64>, &[f32])) {

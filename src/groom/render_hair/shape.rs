@@ -28,7 +28,7 @@ const ROWS_OF_POSITIONS: usize = 10;
 const ROWS_OF_CURVATURES: usize = 15;
 
 /// What shapes at all moments share.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Reference {
     pub points: usize,
     /// Floats per row: the points, padded with zeros.

@@ -17,6 +17,7 @@ mod hair;
 mod haptic;
 mod hooks;
 mod level_of_detail;
+mod motion;
 mod overlaps;
 mod posing;
 mod render_hair;
@@ -64,6 +65,7 @@ use superhelix::internals::capi::haptic_def::*;
 use superhelix::internals::capi::haptic_ring_comb::*;
 use superhelix::internals::capi::level_of_detail::*;
 use superhelix::internals::capi::materials::*;
+use superhelix::internals::capi::motion::*;
 use superhelix::internals::capi::overlaps::*;
 use superhelix::internals::capi::pose_def::*;
 use superhelix::internals::capi::posing::*;
@@ -194,6 +196,7 @@ fn table() -> Vec<Case> {
         state::cases,
         strands::cases,
         roots::cases,
+        motion::cases,
         targets::cases,
         shape::cases,
         settle::cases,

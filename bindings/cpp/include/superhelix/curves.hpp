@@ -16,7 +16,7 @@ class curves {
  public:
   // An empty one, to move another into.
   curves() = default;
-  // Reads .hair, .tfx, .obj, .usda or .data. The path is UTF-8.
+  // Reads .hair, .tfx, .obj, .usda, .abc, .data, .ply, .npy or .npz. The path is UTF-8.
   static returns<curves> read(const std::string &path) {
     shx_curves *made = nullptr;
     const shx_result code = shx_curves_read(path.c_str(), &made);

@@ -78,6 +78,15 @@ class render_hair {
     const shx_result code = shx_render_hair_without_guides(get(), guides.data(), guides.size(), &made);
     return detail::finish(code, render_hair(made, loop_));
   }
+  // The same hair with shapes of its strands' own: curves at rest, m, strand by strand. point_counts: of each curve; none: the hair's points per strand.
+  returns<render_hair> with_own_shapes(const input &points, std::size_t strand_count, span<const std::uint32_t> point_counts = {}) const {
+    detail::sizes sizes("with_own_shapes");
+    if (!point_counts.empty() && sizes.exactly("point_counts", point_counts.size(), strand_count).wrong())
+      return sizes.failure<render_hair>();
+    shx_render_hair *made = nullptr;
+    const shx_result code = shx_render_hair_with_own_shapes(get(), &points, point_counts.data(), strand_count, &made);
+    return detail::finish(code, render_hair(made, loop_));
+  }
 
   // For strands from first on: the guide that each follows first, and its wisp about that guide. One of the two may be empty.
   returns<void> wisps(std::size_t first, span<std::uint32_t> out_guides, span<std::uint32_t> out_wisps) const {

@@ -11,6 +11,7 @@
 #include "fit.hpp"
 #include "handle.hpp"
 #include "haptic.hpp"
+#include "motion.hpp"
 #include "render_hair.hpp"
 #include "result.hpp"
 #include "scalp.hpp"

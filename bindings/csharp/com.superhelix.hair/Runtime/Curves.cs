@@ -9,7 +9,7 @@ namespace Superhelix
 
     internal Curves(IntPtr raw) { Handle = new CurvesHandle(raw, null); }
 
-    /// <summary>Reads .hair, .tfx, .obj, .usda or .data.</summary>
+    /// <summary>Reads .hair, .tfx, .obj, .usda, .abc, .data, .ply, .npy or .npz.</summary>
     public static Curves Read(string path)
     {
       Library.EnsureMatches();

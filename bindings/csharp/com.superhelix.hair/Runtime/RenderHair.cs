@@ -70,6 +70,26 @@ namespace Superhelix
       return new RenderHair(made, Hooks.Share(Handle.Hooks));
     }
 
+    /// <summary>
+    /// The same hair with shapes of its strands' own: curves at rest, m, strand by strand. pointCounts: of each curve; left out: the hair's points per
+    /// strand.
+    /// </summary>
+    public RenderHair WithOwnShapes(Items points, int strandCount, In<uint> pointCounts = default(In<uint>))
+    {
+      if (strandCount < 0)
+        throw new ArgumentOutOfRangeException("strandCount", strandCount, "0 or above");
+      if (pointCounts.Count != 0)
+        Error.Exactly("pointCounts", pointCounts.Count, strandCount);
+      IntPtr made;
+      fixed (byte* p = &points.Pin())
+      fixed (uint* c = &pointCounts.Pin())
+      {
+        RawView view = points.View(p);
+        Error.Check(Native.shx_render_hair_with_own_shapes(Handle, &view, pointCounts.Count == 0 ? null : c, (UIntPtr)(uint)strandCount, &made));
+      }
+      return new RenderHair(made, Hooks.Share(Handle.Hooks));
+    }
+
     /// <summary>For strands from first on: the guide that each follows first, and its wisp about that guide. One of the two may be left out.</summary>
     public void Wisps(int first, Out<uint> guides, Out<uint> wisps = default(Out<uint>))
     {

@@ -23,7 +23,7 @@ from superhelix.haptics import Haptic
 from superhelix.ids import BodyId, BodyIds, ConstraintId, ConstraintIds, StrandId, StrandIds
 from superhelix.interpolation import interpolate
 from superhelix.meshes import read_obj_mesh
-from superhelix.motion import carried, motion_from_samples, read_motion
+from superhelix.motion import SmoothMotion, carried, motion_from_samples, read_motion
 from superhelix.records import *  # noqa: F403
 from superhelix.render import RenderGuides, RenderHair, RenderPose
 from superhelix.scalp import Scalp
@@ -63,6 +63,7 @@ __all__ = [
     "RingComb",
     "Run",
     "Scalp",
+    "SmoothMotion",
     "Solver",
     "StrandDefs",
     "StrandId",

@@ -1405,6 +1405,7 @@ class Functions:
     shx_solver_set_root_frames: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_teleport_roots: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_get_root_frames: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_sample_motion: Callable[[Pointer, Pointer, Pointer, int, Pointer, Pointer, Pointer], int]
     shx_target_def_init: Callable[[Pointer, int], int]
     shx_solver_set_targets: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_clear_targets: Callable[[Pointer, Pointer, int], int]
@@ -1591,6 +1592,7 @@ class Functions:
     shx_render_hair_save: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_render_hair_load: Callable[[Pointer, int, Pointer, Pointer], int]
     shx_render_hair_without_guides: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_render_hair_with_own_shapes: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
     shx_render_hair_destroy: Callable[[Pointer], None]
     shx_render_hair_wisps: Callable[[Pointer, int, int, Pointer, Pointer], int]
     shx_render_pose_create: Callable[[Pointer, Pointer], int]
@@ -1666,6 +1668,10 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_solver_teleport_roots": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_get_root_frames": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_sample_motion": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p],
+    ),
     "shx_target_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_set_targets": (
         ctypes.c_int32,
@@ -2024,6 +2030,10 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_render_hair_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_render_hair_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_render_hair_without_guides": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_render_hair_with_own_shapes": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
     "shx_render_hair_destroy": (None, [ctypes.c_void_p]),
     "shx_render_hair_wisps": (
         ctypes.c_int32,

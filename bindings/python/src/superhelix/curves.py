@@ -39,7 +39,9 @@ class Curves(Owner):
     __slots__ = ()
 
     def __init__(self, path: Path) -> None:
-        """Reads Cem Yuksel's .hair, TressFX .tfx, Wavefront .obj with lines, USD as text (.usda, at its first time sample) or plain .data."""
+        """Reads Cem Yuksel's .hair, TressFX .tfx, Wavefront .obj with lines, USD as text (.usda) and Alembic (.abc) at their first time sample, .data,
+        .ply with the points of strands, .npy or .npz. docs/reference/files.md says what of each.
+        """
         name = _path(path)
         self._open = made(functions.shx_curves_destroy, lambda out: functions.shx_curves_read(name, out))
 

@@ -69,15 +69,19 @@ def rotate(rotations: npt.ArrayLike, vectors: npt.ArrayLike) -> Rows:
     """Vectors turned by quaternions x, y, z, w."""
     q, v = np.asarray(rotations, dtype=np.float64), np.asarray(vectors, dtype=np.float64)
     twice = 2.0 * np.cross(q[..., :3], v)
-    return np.asarray(v + q[..., 3:] * twice + np.cross(q[..., :3], twice))
+    # In the library's order, so that the bits are the same.
+    return np.asarray(twice * q[..., 3:] + np.cross(q[..., :3], twice) + v)
 
 
 def multiply(left: npt.ArrayLike, right: npt.ArrayLike) -> Rows:
     """Products of quaternions x, y, z, w: the turn right, then the turn left."""
-    a, b = np.asarray(left, dtype=np.float64), np.asarray(right, dtype=np.float64)
-    vector = a[..., 3:] * b[..., :3] + b[..., 3:] * a[..., :3] + np.cross(a[..., :3], b[..., :3])
-    scalar = a[..., 3:] * b[..., 3:] - np.sum(a[..., :3] * b[..., :3], axis=-1, keepdims=True)
-    return np.concatenate([vector, scalar], axis=-1)
+    ax, ay, az, aw = np.moveaxis(np.asarray(left, dtype=np.float64), -1, 0)
+    bx, by, bz, bw = np.moveaxis(np.asarray(right, dtype=np.float64), -1, 0)
+    # In the library's order, so that the bits are the same.
+    x = aw * bx + ax * bw + ay * bz - az * by
+    y = aw * by - ax * bz + ay * bw + az * bx
+    z = aw * bz + ax * by - ay * bx + az * bw
+    return np.stack([x, y, z, aw * bw - ax * bx - ay * by - az * bz], axis=-1)
 
 
 def moved(motion: npt.ArrayLike, local: npt.ArrayLike) -> Rows:

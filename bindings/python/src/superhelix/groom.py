@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from superhelix import frames as turned
 from superhelix._buffers import column
 from superhelix.bodies import BodyDef
 from superhelix.curves import CurveCacheWriter, CurveData, Curves, Path
@@ -21,7 +20,7 @@ from superhelix.enums import CurveAttribute, StrandStatus, UpAxis
 from superhelix.fit import Fit, fit_strands
 from superhelix.hair import wisp_material
 from superhelix.ids import BodyId, StrandIds
-from superhelix.motion import Motion, carried, still
+from superhelix.motion import Motion, carried, carried_roots, frames_at, root_velocities, still
 from superhelix.records import ContactOptions, FitOptions, Material, Settings, StepReport, StrandContact, Wisp
 from superhelix.solver import Solver
 from superhelix.strand_defs import StrandDefs
@@ -186,10 +185,9 @@ class GroomSolver:
 
     def move_head(self, start: npt.ArrayLike, now: npt.ArrayLike, over_seconds: float = 0.0) -> None:
         """Moves roots and body with a head that went from the frame start, where the groom was drawn, to the frame now."""
-        frame = carried(start, now, self.pivot)
-        self.solver.set_root_frames(turned.moved(frame, self.roots), self.strands, over_seconds)
+        self.solver.set_root_frames(carried_roots(start, now, self.pivot, self.roots), self.strands, over_seconds)
         if self.body is not None:
-            self.solver.set_body_frames(frame[None], self.body, over_seconds)
+            self.solver.set_body_frames(carried(start, now, self.pivot)[None], self.body, over_seconds)
 
     def __enter__(self) -> GroomSolver:
         return self
@@ -213,6 +211,8 @@ def prepare(
     worker_count: int = 1,
     pivot: npt.ArrayLike | None = None,
     gravity: Sequence[float] | None = None,
+    motion: Motion = still,
+    start: float = 0.0,
     **solver_fields: Any,
 ) -> GroomSolver:
     """Adds a groom to a new solver so that it rests as drawn: pushes curves out of the body, fits strands, gives them the material of wisps (wisp: the
@@ -220,7 +220,8 @@ def prepare(
 
     body: keeps hair out, in the groom's axes, m. wisp_contact_radius: above 0, strands collide with each other as wisps of that radius, m. contact:
     a StrandContact in place of the default. settings: the result of preset_settings. pivot: the head's joint, m (default: the mean of the roots).
-    solver_fields: fields of SolverDef.
+    motion, start: hair begins with the velocity that this motion has at the time start, if it has a method velocity (see motion_from_samples);
+    else at rest. solver_fields: fields of SolverDef.
     """
     rod = wisp_material(Wisp(hairs=1.0, hold=0.0) if bare else wisp, hair)
     down = groom.gravity if gravity is None else tuple(gravity)
@@ -239,6 +240,8 @@ def prepare(
         raise ValueError("groom: no curve can be simulated: all are without length, or not longer than wide")
     fit = fit.select(good)
     defs = StrandDefs.from_fit(fit, material=rod.material)
+    joint = defs.data["root"]["origin"].mean(axis=0) if pivot is None else np.asarray(pivot, dtype=np.float64)
+    defs.data["root_velocity"], defs.data["root_angular_velocity"] = root_velocities(motion, start, joint, defs.data["root"]["origin"])
     strands = solver.add_strands(defs)
     if rod.margin > 0.0:
         stiffening = solver.stiffen_strands(rod.margin, strands)
@@ -251,7 +254,6 @@ def prepare(
         solver.set_strand_contact(meets, strands)
         solver.permit_overlaps(strands)
     roots = solver.root_frames(strands)
-    joint = roots[:, :3].mean(axis=0) if pivot is None else np.asarray(pivot, dtype=np.float64)
     indices = np.arange(len(groom))
     return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius))
 
@@ -288,7 +290,8 @@ def simulate(
     """Simulates a groom on a moving head for duration seconds at fps frames per second. With cache, also writes a file with velocities: .usda; .abc
     with widths; or with superhelix[usd] .usdc or .usdz, which have material frames and widths too.
 
-    motion: the head's frame at a time; at the time start the groom is as drawn. substeps: steps per frame (default: 2, or as settings say).
+    motion: the head's frame at a time; at the time start the groom is as drawn, and hair has the velocity of the motion if it has a method velocity
+    (see motion_from_samples), else none. substeps: steps per frame (default: 2, or as settings say).
     progress(frame, frames) is called after each frame. preparation: arguments of prepare.
     """
     if not duration > 0.0 or not fps > 0.0:
@@ -298,7 +301,8 @@ def simulate(
     frame_count = int(np.floor(duration * fps + 1e-9)) + 1
     times = np.arange(frame_count) / fps
     first, dt = np.asarray(motion(start), dtype=np.float64), 1.0 / (fps * substeps)
-    with prepare(groom, settings=settings, **preparation) as made:
+    heads = frames_at(motion, start + np.arange(1, (frame_count - 1) * substeps + 1) * dt)
+    with prepare(groom, settings=settings, motion=motion, start=start, **preparation) as made:
         solver, strands = made.solver, made.strands
         points = np.empty((frame_count, len(strands), points_per_strand, 3), dtype=np.float32)
         reports: list[StepReport] = []
@@ -307,9 +311,8 @@ def simulate(
         try:
             for frame in range(frame_count):
                 if frame:
-                    for substep in range(substeps):
-                        time = start + ((frame - 1) * substeps + substep + 1) * dt
-                        made.move_head(first, motion(time), dt)
+                    for _ in range(substeps):
+                        made.move_head(first, next(heads), dt)
                         reports.append(solver.step(dt))
                         if reports[-1].quarantined:
                             quarantined |= solver.strand_status(strands) == StrandStatus.QUARANTINED

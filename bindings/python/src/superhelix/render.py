@@ -185,6 +185,25 @@ class RenderHair(Owner):
         hair.points_per_strand, hair._guessed = self.points_per_strand, self._guessed
         return hair
 
+    def with_own_shapes(self, points: npt.ArrayLike, point_counts: npt.ArrayLike | None = None) -> RenderHair:
+        """Returns hair whose strands have shapes of their own: while the guides are at rest, each strand is its curve in points, m (cut short by
+        length_variation). When guides move, what distinguishes it from them goes with its first guide. points: (strands, points_per_strand, 3), or
+        curve by curve (points, 3) with point_counts, which are resampled.
+        """
+        rows = as_rows("points", points)
+        if point_counts is None and (rows.ndim != 3 or rows.shape[0] != self.strand_count):
+            raise ValueError(f"points: shape {rows.shape}; ({self.strand_count}, points_per_strand, 3) expected, or give point_counts")
+        counts = None if point_counts is None else column("point_counts", point_counts, np.uint32, self.strand_count)
+        view, handle, strands = input_rows("points", rows, (3, 4)), self._handle, self.strand_count
+
+        def make(_chosen: Any, out: Any) -> int:
+            given = None if counts is None else address(counts)
+            return functions.shx_render_hair_with_own_shapes(handle, ctypes.byref(view), given, strands, out)
+
+        hair = self._make(make, None, None, strands)
+        hair.points_per_strand, hair._guessed = self.points_per_strand, self._guessed
+        return hair
+
     def wisps(self, first_strand: int = 0, strand_count: int | None = None) -> tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]]:
         """Returns the first guide of each strand, and the index of its wisp around that guide."""
         first = whole("first_strand", first_strand, 0, 2**63)

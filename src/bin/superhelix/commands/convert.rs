@@ -17,7 +17,7 @@ use crate::shell::frame_files::list_frames;
 /// time samples becomes a directory of frames.
 #[derive(Debug, Args)]
 pub struct ConvertArguments {
-    /// The groom: .hair, .tfx, .obj, .usda, .abc, .data, .ply or .npz; or a directory of frames.
+    /// The groom: .hair, .tfx, .obj, .usda, .abc, .data, .ply, .npy or .npz; or a directory of frames.
     #[arg(value_name = "IN")]
     input: PathBuf,
     /// Where it goes; a directory for the frames of a cache.

@@ -24,7 +24,7 @@ use crate::shell::up::Up;
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
 #[derive(Debug, Args)]
 pub struct FitArguments {
-    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply or .npz, root first.
+    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply, .npy or .npz, root first.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// Helical elements a strand; several numbers make a table. With --tolerance: the most. Default: 3,5,10,20, or with --tolerance 100.

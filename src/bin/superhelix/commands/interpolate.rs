@@ -23,8 +23,8 @@ use crate::surfaces::region::{DensityArguments, in_flags};
 /// Makes render strands from few guides: interpolated at the root, gathered in wisps at the tip, as curly as the hair is.
 #[derive(Debug, Args)]
 pub struct InterpolateArguments {
-    /// The guides: a groom (.hair, .tfx, .obj with lines, .usda), or frames, whose first is the rest pose: a .usda file with time samples, or a
-    /// directory (name.0001.hair ...).
+    /// The guides: a groom (.hair, .tfx, .obj with lines, .usda, .abc, .data, .ply, .npy or .npz), or frames, whose first is the rest pose: a .usda
+    /// file with time samples, or a directory (name.0001.hair ...).
     #[arg(value_name = "GUIDES")]
     guides: PathBuf,
     /// Where the strands go: a .hair or .usda file, with the widths of the strands (or .tfx, .obj, without). Of frames: a .usda file, with

@@ -17,7 +17,7 @@ use crate::stepping::motion_arguments::MotionArguments;
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct PrepareArguments {
-    /// The strands: .ply points of strands, .npz, .npy, .data, .hair, .tfx, .obj with lines, .usda; root first.
+    /// The strands: .ply points of strands, .npz, .npy, .data, .hair, .tfx, .obj with lines, .usda, .abc; root first.
     #[arg(value_name = "STRANDS")]
     pub strands: PathBuf,
     /// The head: a mesh that keeps strands out and carries their roots, .obj with faces, in the strands' axes. Closed but for its neck, best.

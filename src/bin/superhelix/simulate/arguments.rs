@@ -25,7 +25,7 @@ use crate::stepping::motion_arguments::MotionArguments;
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct SimulateArguments {
-    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply or .npz, root first.
+    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply, .npy or .npz, root first.
     #[arg(value_name = "GROOM")]
     pub groom: PathBuf,
     #[command(flatten)]

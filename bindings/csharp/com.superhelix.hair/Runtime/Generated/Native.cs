@@ -133,6 +133,9 @@ namespace Superhelix
     internal static extern int shx_solver_get_root_frames(SolverHandle solver, StrandId* ids, UIntPtr count, RawView* frames);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_sample_motion(double* pose_times, RawView* poses, double* times, UIntPtr count, RawView* frames, RawView* velocities, RawView* angular_velocities);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_target_def_init(TargetDefRaw* @def, UIntPtr size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -689,6 +692,9 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_render_hair_without_guides(RenderHairHandle hair, uint* removed, UIntPtr count, IntPtr* out_hair);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_render_hair_with_own_shapes(RenderHairHandle hair, RawView* points, uint* point_counts, UIntPtr count, IntPtr* out_hair);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern void shx_render_hair_destroy(IntPtr hair);

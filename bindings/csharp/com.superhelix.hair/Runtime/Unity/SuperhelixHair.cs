@@ -15,7 +15,7 @@ namespace Superhelix
   [RequireComponent(typeof(MeshRenderer))]
   public sealed class SuperhelixHair : MonoBehaviour
   {
-    /// <summary>A .hair, .tfx, .obj, .usda or .data file, by its path below StreamingAssets, in the head's space.</summary>
+    /// <summary>A .hair, .tfx, .obj, .usda, .abc, .data, .ply, .npy or .npz file, by its path below StreamingAssets, in the head's space.</summary>
     public string groom = "groom.hair";
     /// <summary>Metres a unit of the groom file.</summary>
     public float metresPerUnit = 1f;

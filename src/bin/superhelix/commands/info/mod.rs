@@ -21,7 +21,7 @@ use crate::shell::failure::Failure;
 /// Says what a groom file holds: strands, lengths, turning, degenerate strands, and a guess of its unit.
 #[derive(Debug, Args)]
 pub struct InfoArguments {
-    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply or .npz.
+    /// The groom: .hair, .tfx, .obj with lines, .usda, .abc, .data, .ply, .npy or .npz.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// How many elements strands need so that no point of the groom is farther from its strand than this, m, and none turns by more than
