@@ -266,7 +266,7 @@ fn diverged_strands_return() {
 }
 
 /// The work of a step grows with the strands as they need it. Curls that stand on a ball shaken as hard as a head can be (0.5 rad at 2 Hz) need more than
-/// that: three in ten strand steps are left; with 60 units for every further element instead of 200 it is 45 in a hundred. (Strands
+/// that: a third of the strand steps are left; with 60 units for every further element instead of 200 it is 45 in a hundred. (Strands
 /// that are left fall behind and need more in the next step, so that one shake says little: the mean of five.)
 #[test]
 fn the_usual_work_grows_with_the_work_that_strands_need() {
