@@ -93,7 +93,7 @@ pub struct ConstrainedStrand {
     pub looked_ahead: bool,
     /// How its island's iteration has ended, if nothing new acts on the strand since.
     pub ended: Option<Ending>,
-    /// How far its island's iteration has come, if the strand is the first in it and nothing new acts on any.
+    /// How far its island's iteration has come, if it is alone in it and nothing new acts on it.
     pub progress: Option<Progress>,
     /// It is at equilibrium under the constraints' forces: it stays where it is, while others go on, until these have changed.
     pub resting: bool,

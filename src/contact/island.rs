@@ -167,9 +167,10 @@ impl Island {
         self.begin_to_count(0);
     }
 
-    /// How far it has come, if it goes on. (All islands are formed again when new contacts are found; one without any goes on from there.)
+    /// How far it has come, if it goes on and has a single strand. (All islands are formed again when new contacts are found; one
+    /// without any goes on from there. Strands that wait for others begin again with these.)
     pub fn progress(&self) -> Option<Progress> {
-        (!self.done).then(|| Progress {
+        (!self.done && self.strands.len() == 1).then(|| Progress {
             report: self.report.clone(),
             iterations: self.iterations,
             ending: self.ending,
@@ -184,12 +185,13 @@ impl Island {
         })
     }
 
-    /// Goes on from there.
+    /// Goes on from there, but looks at bodies' surfaces as often as a new one ([`LOOKS`]).
     pub fn resume(&mut self, progress: Progress) {
         let Progress { report, iterations, ending, beyond, kinked, relaxings, rest, best, fewest, idle, pushed } = progress;
-        (self.report, self.iterations, self.ending, self.beyond) = (report, iterations, ending, beyond);
-        (self.kinked, self.relaxings, self.rest) = (kinked, relaxings, rest);
-        (self.best, self.fewest, self.idle, self.pushed) = (best, fewest, idle, pushed);
+        (self.report, self.iterations, self.ending, self.beyond) = (report, iterations.min(1), ending, beyond);
+        (self.kinked, self.relaxings, self.rest, self.idle, self.pushed) = (kinked, relaxings, rest, idle, pushed);
+        let counted = |iteration: u32| iteration.saturating_sub(iterations - self.iterations);
+        (self.best, self.fewest) = ((best.0, counted(best.1)), (fewest.0, counted(fewest.1)));
     }
 
     /// Progress is counted from this iteration on.

@@ -533,7 +533,9 @@ impl ConstrainedSubstep {
             {
                 island.keep(ending);
             }
-            if let Some(progress) = island.strands.first().and_then(|first| self.strands[*first as usize].progress.take()) {
+            if let [alone] = island.strands[..]
+                && let Some(progress) = self.strands[alone as usize].progress.take()
+            {
                 island.resume(progress);
             }
         }

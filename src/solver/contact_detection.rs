@@ -412,16 +412,13 @@ impl ContactDetection {
             return false;
         }
         for constrained in strands.iter_mut() {
-            constrained.ended = islands[constrained.island as usize].ended();
+            let island = &islands[constrained.island as usize];
+            (constrained.ended, constrained.progress) = (island.ended(), island.progress());
             constrained.resting |= constrained.ended.is_some_and(|ending| ending.converged);
         }
-        for island in &*islands {
-            strands[island.strands[0] as usize].progress = island.progress();
-        }
         for end in undetected.iter().flat_map(StepConstraint::ends) {
-            strands[end.strand as usize].ended = None;
-            let island = &islands[strands[end.strand as usize].island as usize];
-            strands[island.strands[0] as usize].progress = None;
+            let strand = &mut strands[end.strand as usize];
+            (strand.ended, strand.progress) = (None, None);
         }
         // Attachments are made again; the models of resting strands are not.
         for constrained in &*strands {
