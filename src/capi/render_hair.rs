@@ -71,11 +71,12 @@ impl Ground {
 
 /// Builds the map, and spawns threads so that they leave nothing behind on the host's thread.
 fn bind(settings: &RenderSettings, guides: &GuideSamples, ground: &Ground) -> Result<RenderHair> {
-    let bind = || RenderHair::bind_on(settings, guides, &ground.roots, ground.normals.as_deref());
-    match settings.workers {
-        Workers::Pool(_) => on_own_thread(bind),
-        _ => bind(),
-    }
+    made(&settings.workers, || RenderHair::bind_on(settings, guides, &ground.roots, ground.normals.as_deref()))
+}
+
+/// Makes render hair; on a thread of its own if it starts a pool.
+fn made(workers: &Workers, make: impl FnOnce() -> Result<RenderHair> + Send) -> Result<RenderHair> {
+    if matches!(workers, Workers::Pool(_)) { on_own_thread(make) } else { make() }
 }
 
 /// Creates render hair from guides in their rest pose. roots has the root positions of the render strands
@@ -186,8 +187,7 @@ pub unsafe extern "C" fn shx_render_hair_load(
         // A null image is a mistake even when its size is 0.
         let bytes = array("image", "size", image.cast::<u8>(), size.max(usize::from(image.is_null())))?;
         let (workers, place) = (settings_from(settings)?.workers, OutputValue::new("out_hair", out_hair)?);
-        let load = || RenderHair::from_bytes(bytes, workers.clone());
-        let hair = if matches!(workers, Workers::Pool(_)) { on_own_thread(load) } else { load() }?;
+        let hair = made(&workers, || RenderHair::from_bytes(bytes, workers.clone()))?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
         Ok(())
     })
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn shx_render_hair_without_guides(
         let (hair, removed) = (hair_from(hair)?, array("removed", "count", removed, count)?);
         let place = OutputValue::new("out_hair", out_hair)?;
         let left = || hair.without_guides(removed).map_err(|error| error.renamed("gone", "removed"));
-        let left = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(left) } else { left() }?;
+        let left = made(&hair.settings().workers, left)?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(left)))));
         Ok(())
     })
@@ -260,8 +260,8 @@ pub unsafe extern "C" fn shx_render_hair_with_own_shapes(
             shapes = resampled(&shapes, counts, None, per_strand).map_err(in_words_of_c)?.points;
         }
         let copy = || hair.copied_with_own_shapes(&shapes).map_err(|error| error.renamed("shapes", "points"));
-        let made = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(copy) } else { copy() }?;
-        place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(made)))));
+        let copy = made(&hair.settings().workers, copy)?;
+        place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(copy)))));
         Ok(())
     })
 }

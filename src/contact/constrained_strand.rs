@@ -325,8 +325,8 @@ impl ConstrainedStrand {
             !wakes
         } else {
             self.woken < MAX_WAKES
-                && island.iterations > 0
-                && self.residual <= island.rest
+                && island.progress.iterations > 0
+                && self.residual <= island.progress.rest
                 && self.attachments.iter().all(|end| {
                     let standing = &constraint(end).standing;
                     !lacks(end) && standing.holds && standing.law_residual <= island.rest_residual

@@ -64,7 +64,7 @@ pub struct Ending {
 impl Island {
     /// How it ended, if it has ended and no further attempt follows.
     pub fn ended(&self) -> Option<Ending> {
-        (self.done && !self.is_to_be_tried_again()).then_some(self.ending)
+        (self.done && !self.is_to_be_tried_again()).then_some(self.progress.ending)
     }
 
     /// Ends it where it is, unless it has converged.
@@ -73,62 +73,64 @@ impl Island {
             return;
         }
         (self.done, self.rough) = (true, false);
-        (self.ending.converged, self.ending.stopped) = (false, why);
+        (self.progress.ending.converged, self.progress.ending.stopped) = (false, why);
     }
 
     /// The search for its strands' contacts was halted: undetected contacts are possible, however the iteration ended.
     pub fn interrupt(&mut self, why: Stopped) {
         self.stop(why);
-        (self.ending.converged, self.ending.stopped) = (false, why);
+        (self.progress.ending.converged, self.progress.ending.stopped) = (false, why);
     }
 
     /// Rejects the end of strands in contact whose energy has risen, and with it that of the island: it counts as diverged
     /// unless it takes the substep in substeps.
     pub fn reject_risen(&mut self, strands: &mut [ConstrainedStrand], step: f64) {
-        if self.ending.stopped != Stopped::No || !self.has_contacts() || self.has_bilateral() {
+        if self.progress.ending.stopped != Stopped::No || !self.has_contacts() || self.has_bilateral() {
             return;
         }
         for strand in &self.strands {
             let strand = &mut strands[*strand as usize];
             if strand.has_risen(step) {
                 strand.residual = f64::INFINITY;
-                (self.ending.converged, self.ending.attempt_converged, self.ending.good_enough) = (false, false, false);
-                self.ending.diverged = true;
+                (self.progress.ending.converged, self.progress.ending.attempt_converged, self.progress.ending.good_enough) =
+                    (false, false, false);
+                self.progress.ending.diverged = true;
             }
         }
     }
 
     /// Goes on from where it is: one of its strands has been moved.
     pub fn go_on(&mut self) {
-        (self.done, self.ending.attempt_converged, self.ending.converged, self.rest) = (false, false, false, -1.0);
-        self.begin_to_count(self.iterations);
+        (self.done, self.progress.ending.attempt_converged, self.progress.ending.converged, self.progress.rest) =
+            (false, false, false, -1.0);
+        self.begin_to_count(self.progress.iterations);
     }
 
     /// Leaves it as it ended: nothing in it has changed, and it would end the same way.
     pub fn keep(&mut self, ending: Ending) {
-        (self.done, self.ending) = (true, ending);
+        (self.done, self.progress.ending) = (true, ending);
     }
 
     /// Whether its constraints yield, bilateral ones too.
     pub fn is_relaxed(&self) -> bool {
-        self.ending.attempt == Attempt::Relaxed
+        self.progress.ending.attempt == Attempt::Relaxed
     }
 
     /// Whether it ended without converging.
     pub fn failed(&self) -> bool {
-        self.done && !self.ending.converged
+        self.done && !self.progress.ending.converged
     }
 
     /// Whether no more work is spent on it: it has not converged, or only by yielding, and another solve would be expensive.
     pub fn is_given_up(&self) -> bool {
         let dear = self.has_bilateral() || self.strands.len() > FEW;
-        self.failed() && (self.is_relaxed() && dear || !self.ending.good_enough)
+        self.failed() && (self.is_relaxed() && dear || !self.progress.ending.good_enough)
     }
 
     /// Whether another attempt follows, see [`Island::try_again`].
     pub fn is_to_be_tried_again(&self) -> bool {
-        let goes_on = self.ending.stopped == Stopped::No && !self.ending.good_enough;
-        let is_last = self.is_relaxed() && self.relaxings >= RELAXINGS;
+        let goes_on = self.progress.ending.stopped == Stopped::No && !self.progress.ending.good_enough;
+        let is_last = self.is_relaxed() && self.progress.relaxings >= RELAXINGS;
         self.failed() && goes_on && !is_last && !self.constraints.is_empty()
     }
 
@@ -141,20 +143,20 @@ impl Island {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
-        let may_yield = matches!(self.ending.attempt, Attempt::Whole | Attempt::Yielding);
+        let may_yield = matches!(self.progress.ending.attempt, Attempt::Whole | Attempt::Yielding);
         let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, step);
-        if forgives && self.ending.attempt == Attempt::Whole && !self.beyond {
+        if forgives && self.progress.ending.attempt == Attempt::Whole && !self.progress.beyond {
             // The normals of bodies stay as they are.
-            (self.iterations, self.done, self.ending.attempt) = (LOOKS, false, Attempt::Yielding);
+            (self.progress.iterations, self.done, self.progress.ending.attempt) = (LOOKS, false, Attempt::Yielding);
             self.begin_to_count(LOOKS);
             return Next::GoesOn;
         }
         if !forgives {
             self.relax(strands, options, step);
-            self.relaxings = if options.model.is_soft() { RELAXINGS } else { self.relaxings + 1 };
+            self.progress.relaxings = if options.model.is_soft() { RELAXINGS } else { self.progress.relaxings + 1 };
         }
-        self.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
-        (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
+        self.progress.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
+        (self.progress.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
         for constraint in &mut self.constraints {
             (constraint.force, constraint.dormant, constraint.pushed) = (Vector3::zeros(), false, 0.0);
@@ -178,7 +180,7 @@ impl Island {
     /// Relaxes all constraints of diverged strands; from the second time on, those of their neighbours too.
     fn relax(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, step: f64) {
         let mut diverged = self.diverged_strands(strands, step);
-        if self.relaxings > 0 {
+        if self.progress.relaxings > 0 {
             let meets = |constraint: &&StepConstraint| constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok());
             let mut all: Vec<u32> =
                 self.constraints.iter().filter(meets).flat_map(StepConstraint::ends).map(|end| end.strand).collect();
@@ -199,12 +201,12 @@ impl Island {
     fn diverged_strands(&self, strands: &(impl Strands + ?Sized), step: f64) -> Vec<u32> {
         let far = |strand: &&u32| {
             let residual = strands[**strand as usize].residual;
-            !self.beyond && (residual > ENOUGH_TURN || residual.is_nan())
+            !self.progress.beyond && (residual > ENOUGH_TURN || residual.is_nan())
         };
         let mut diverged: Vec<u32> = self.strands.iter().filter(far).copied().collect();
         let large = LARGE * self.usual_force(strands, step);
         let off = |constraint: &&StepConstraint| {
-            if self.beyond { constraint.force.norm() > large } else { !constraint.standing.nearly }
+            if self.progress.beyond { constraint.force.norm() > large } else { !constraint.standing.nearly }
         };
         for constraint in self.constraints.iter().filter(off) {
             diverged.extend(constraint.ends().map(|end| end.strand));

@@ -82,17 +82,46 @@ pub struct Left {
 /// How far an island's iteration has come.
 #[derive(Debug, Clone)]
 pub struct Progress {
-    report: Report,
-    iterations: u32,
-    ending: Ending,
-    beyond: bool,
-    kinked: u32,
-    relaxings: u32,
-    rest: f64,
+    /// The last contact problem's report.
+    pub report: Report,
+    /// Newton iterations so far.
+    pub iterations: u32,
+    /// How the iteration ended, or its present state.
+    pub ending: Ending,
+    /// Its forces have grown beyond measure.
+    pub beyond: bool,
+    /// How often its strands were bent, see `kink.rs`.
+    pub kinked: u32,
+    /// How often its constraints were relaxed.
+    pub relaxings: u32,
+    /// How far from convergence a strand may be to rest, rad.
+    pub rest: f64,
+    /// The least residual so far, in units of the tolerance, and the iteration in which it was halved.
     best: (f64, u32),
+    /// The same for the number of unconverged strands and constraints.
     fewest: (usize, u32),
+    /// Iterations in a row without progress, see [`IDLE`].
     idle: u32,
-    pushed: (f64, u32),
+    /// The depth of the deepest yielding contact at the last push, m, and the number of pushes.
+    pub(super) pushed: (f64, u32),
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Self {
+            report: Report::default(),
+            iterations: 0,
+            ending: Ending::default(),
+            beyond: false,
+            kinked: 0,
+            relaxings: 0,
+            rest: -1.0,
+            best: (f64::INFINITY, 0),
+            fewest: (usize::MAX, 0),
+            idle: 0,
+            pushed: (f64::INFINITY, 0),
+        }
+    }
 }
 
 /// Coupled strands.
@@ -102,14 +131,12 @@ pub struct Island {
     pub strands: Vec<u32>,
     /// Their constraints.
     pub constraints: Vec<StepConstraint>,
-    /// The last contact problem's report.
-    pub report: Report,
+    /// How far its iteration has come.
+    pub progress: Progress,
     /// The limit of its next contact problem's cost, nanoseconds or so.
     pub max_work: u64,
     /// Sweeps so far.
     pub sweeps: u32,
-    /// Newton iterations so far.
-    pub iterations: u32,
     /// Whether it iterates apart from the others.
     pub is_solitary: bool,
     /// Newton iterations until the next search for contacts, at most.
@@ -118,35 +145,17 @@ pub struct Island {
     pub rough: bool,
     /// Its iteration has ended.
     pub done: bool,
-    /// How the iteration ended, or its present state.
-    pub ending: Ending,
     /// Depth of overlap left, as far as it was searched for.
     pub left: Left,
     /// Its strands take the substep in substeps: their present end is dropped.
     pub is_subdivided: bool,
-    /// Its forces have grown beyond measure.
-    pub beyond: bool,
-    /// How often its strands were bent, see `kink.rs`.
-    pub kinked: u32,
-    /// How often its constraints were relaxed.
-    pub relaxings: u32,
     /// Whether rigid constraints couple strands to the world in this iteration.
     pub constrained_to_world: bool,
     /// Whether strands may rest. Not with bilateral constraints, which hold to the last digit, nor in small islands, whose
     /// strands converge sooner together.
     pub may_rest: bool,
-    /// How far from convergence a strand may be to rest, rad.
-    pub rest: f64,
     /// The residual that its constraints may have then.
     pub rest_residual: f64,
-    /// The least residual so far, in units of the tolerance, and the iteration in which it was halved.
-    best: (f64, u32),
-    /// The same for the number of unconverged strands and constraints.
-    fewest: (usize, u32),
-    /// Iterations in a row without progress, see [`IDLE`].
-    idle: u32,
-    /// The depth of the deepest yielding contact at the last push, m, and the number of pushes.
-    pub(super) pushed: (f64, u32),
     pub(super) ends: Vec<[End; 2]>,
     /// The constraints in the present contact problem: those with a moving strand at one end.
     pub(super) included: Vec<u32>,
@@ -160,52 +169,37 @@ impl Island {
     pub fn clear(&mut self) {
         self.strands.clear();
         self.constraints.clear();
-        (self.sweeps, self.iterations, self.ending) = (0, 0, Ending::default());
-        (self.done, self.beyond, self.rest, self.rough) = (false, false, -1.0, false);
-        (self.kinked, self.relaxings, self.report) = (0, 0, Report::default());
-        (self.pushed, self.left, self.is_subdivided) = ((f64::INFINITY, 0), Left::default(), false);
-        self.begin_to_count(0);
+        (self.sweeps, self.done, self.rough, self.progress) = (0, false, false, Progress::default());
+        (self.left, self.is_subdivided) = (Left::default(), false);
     }
 
     /// How far it has come, if it goes on and has a single strand. (All islands are formed again when new contacts are found; one
     /// without any goes on from there. Strands that wait for others begin again with these.)
-    pub fn progress(&self) -> Option<Progress> {
-        (!self.done && self.strands.len() == 1).then(|| Progress {
-            report: self.report.clone(),
-            iterations: self.iterations,
-            ending: self.ending,
-            beyond: self.beyond,
-            kinked: self.kinked,
-            relaxings: self.relaxings,
-            rest: self.rest,
-            best: self.best,
-            fewest: self.fewest,
-            idle: self.idle,
-            pushed: self.pushed,
-        })
+    pub fn unfinished(&self) -> Option<Progress> {
+        (!self.done && self.strands.len() == 1).then(|| self.progress.clone())
     }
 
     /// Goes on from there, but looks at bodies' surfaces as often as a new one ([`LOOKS`]).
     pub fn resume(&mut self, progress: Progress) {
-        let Progress { report, iterations, ending, beyond, kinked, relaxings, rest, best, fewest, idle, pushed } = progress;
-        (self.report, self.iterations, self.ending, self.beyond) = (report, iterations.min(1), ending, beyond);
-        (self.kinked, self.relaxings, self.rest, self.idle, self.pushed) = (kinked, relaxings, rest, idle, pushed);
-        let counted = |iteration: u32| iteration.saturating_sub(iterations - self.iterations);
-        (self.best, self.fewest) = ((best.0, counted(best.1)), (fewest.0, counted(fewest.1)));
+        let iterations = progress.iterations.min(1);
+        let counted = |iteration: u32| iteration.saturating_sub(progress.iterations - iterations);
+        let (best, fewest) = ((progress.best.0, counted(progress.best.1)), (progress.fewest.0, counted(progress.fewest.1)));
+        self.progress = Progress { iterations, best, fewest, ..progress };
     }
 
     /// Progress is counted from this iteration on.
     pub(super) fn begin_to_count(&mut self, iteration: u32) {
-        (self.best, self.fewest, self.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
+        (self.progress.best, self.progress.fewest, self.progress.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
     }
 
     /// Goes on from a rough solve. True if there is more to do.
     pub fn refine(&mut self) -> bool {
-        let goes_on = self.rough && self.ending.attempt_converged;
+        let goes_on = self.rough && self.progress.ending.attempt_converged;
         if goes_on {
             // Strands rested by the rough tolerance.
-            (self.done, self.ending.converged, self.ending.attempt_converged, self.rest) = (false, false, false, -1.0);
-            self.begin_to_count(self.iterations);
+            (self.done, self.progress.ending.converged, self.progress.ending.attempt_converged, self.progress.rest) =
+                (false, false, false, -1.0);
+            self.begin_to_count(self.progress.iterations);
         }
         self.rough = false;
         goes_on
@@ -213,7 +207,7 @@ impl Island {
 
     /// The tolerance of the contact laws.
     pub(super) fn asked(&self, options: &ContactOptions) -> f64 {
-        let size = self.report.size.max(1.0);
+        let size = self.progress.report.size.max(1.0);
         let in_the_end = match options.model {
             ContactModel::Coulomb => options.residual,
             ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT * size,
@@ -236,8 +230,8 @@ impl Island {
     /// Whether one of its strands has diverged after all attempts: only strands that are unconverged themselves, which may free
     /// the others; all if not even one iteration was possible.
     pub fn has_diverged(&self, strand: &ConstrainedStrand) -> bool {
-        let all = self.iterations <= 1;
-        self.ending.diverged && (all || strand.residual > DIVERGED || strand.residual.is_nan())
+        let all = self.progress.iterations <= 1;
+        self.progress.ending.diverged && (all || strand.residual > DIVERGED || strand.residual.is_nan())
     }
 
     /// Whether a strand ends in or beyond a body that it was outside of when the step began.
@@ -300,7 +294,7 @@ impl Island {
                     let (element, s) = nearest(&strand.path().now, element, s, *target);
                     constraint.first.material_point = MaterialPoint::on(element, s);
                 }
-                ConstraintKind::Body { body, feature, normal, side, point, carried, .. } if self.iterations < LOOKS => {
+                ConstraintKind::Body { body, feature, normal, side, point, carried, .. } if self.progress.iterations < LOOKS => {
                     let (body, at) = (strand.met(bodies, *body), strand.end_state(&constraint.first.material_point));
                     if let Some(surface) = body.closest_at_end(at.now, LOOK) {
                         let new = body.to_world(&surface.normal);
@@ -413,8 +407,8 @@ impl Island {
         let mut enough = residual <= ENOUGH_TURN;
         let (mut rested, mut wakes_some) = (0.0_f64, false);
         let asked = self.asked(options);
-        (self.rest, self.rest_residual) = (REST * tolerance, asked);
-        self.ending.residual = 0.0;
+        (self.progress.rest, self.rest_residual) = (REST * tolerance, asked);
+        self.progress.ending.residual = 0.0;
         for index in 0..self.constraints.len() {
             if !self.is_included[index] {
                 if self.constraints[index].dormant {
@@ -429,8 +423,8 @@ impl Island {
             let (law, u) = self.evaluate(index, strands, options, step);
             let constraint = &self.constraints[index];
             let moved = (constraint.gap - before).abs();
-            let law_residual = self.report.law_residual(&law, u, constraint.force, step);
-            self.ending.residual = self.ending.residual.max(law_residual);
+            let law_residual = self.progress.report.law_residual(&law, u, constraint.force, step);
+            self.progress.ending.residual = self.progress.ending.residual.max(law_residual);
             let (holds, nearly) = match law {
                 Law::Bilateral(bilateral) => {
                     let off = bilateral.directions().map(|d| (d.dot(&u) + bilateral.compliance * d.dot(&constraint.force)).abs());
@@ -454,9 +448,9 @@ impl Island {
             self.constraints[index].may_sleep(&law, &u, moved);
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
         }
-        let left = (residual / tolerance).max(self.ending.residual / ROUGH);
-        if left < 0.5 * self.best.0 {
-            self.best = (left, self.iterations);
+        let left = (residual / tolerance).max(self.progress.ending.residual / ROUGH);
+        if left < 0.5 * self.progress.best.0 {
+            self.progress.best = (left, self.progress.iterations);
         }
         let open = self.strands.iter().filter(|strand| strands[**strand as usize].residual > tolerance).count()
             + self
@@ -464,11 +458,11 @@ impl Island {
                 .iter()
                 .filter(|constraint| !constraint.standing.holds || constraint.standing.wakes != [false; 2])
                 .count();
-        if open < self.fewest.0.div_ceil(2) {
-            self.fewest = (open, self.iterations);
+        if open < self.progress.fewest.0.div_ceil(2) {
+            self.progress.fewest = (open, self.progress.iterations);
         }
         // Resting constraints are reported as well, but nothing waits for them.
-        self.ending.residual = self.ending.residual.max(rested);
+        self.progress.ending.residual = self.progress.ending.residual.max(rested);
         let largest = |contacts: bool| {
             let of = self
                 .constraints
@@ -478,33 +472,34 @@ impl Island {
             of.fold(0.0, f64::max)
         };
         let usual = self.usual_force(strands, step);
-        self.beyond = largest(true) > NO_SOLUTION * usual
+        self.progress.beyond = largest(true) > NO_SOLUTION * usual
             || self.has_bilateral() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
         let idle = !options.model.is_soft()
-            && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS * self.report.size);
-        self.idle = if idle { self.idle + 1 } else { 0 };
+            && (residual <= STILL * tolerance_asked || self.progress.report.residual > HOPELESS * self.progress.report.size);
+        self.progress.idle = if idle { self.progress.idle + 1 } else { 0 };
         // Bilateral constraints may turn a strand right round, a little in every iteration. An island that waits only for
         // resting strands makes progress: these are woken twice at most.
         let waits_only = good && wakes_some;
-        let got_on = self.best.1.max(self.fewest.1);
+        let got_on = self.progress.best.1.max(self.progress.fewest.1);
         let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
         let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
-        let slow = !waits_only && !self.has_bilateral() && self.iterations >= got_on + patience;
-        let stuck = slow || self.beyond || self.has_bilateral() && self.idle > IDLE;
+        let slow = !waits_only && !self.has_bilateral() && self.progress.iterations >= got_on + patience;
+        let stuck = slow || self.progress.beyond || self.has_bilateral() && self.progress.idle > IDLE;
         let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
         // One contact slightly beyond the rough tolerance says nothing about the end.
         let good = good && !wakes_some || self.rough && slow && enough;
         let good = good && !self.push_on(strands, options, step);
         // An island with yielding constraints has not converged, whatever its residual.
-        self.ending.attempt_converged = good;
+        self.progress.ending.attempt_converged = good;
         // The host chose to pay for this many iterations.
         let chosen = options.model.is_soft()
             && options.max_iterations <= MAX_CHOSEN_ITERATIONS
-            && self.iterations >= options.max_iterations;
-        self.ending.converged = (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No);
-        self.done = good || diverged || stuck || self.iterations >= options.max_iterations;
-        self.ending.good_enough = self.done && (enough || chosen);
-        self.ending.diverged =
+            && self.progress.iterations >= options.max_iterations;
+        self.progress.ending.converged =
+            (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No);
+        self.done = good || diverged || stuck || self.progress.iterations >= options.max_iterations;
+        self.progress.ending.good_enough = self.done && (enough || chosen);
+        self.progress.ending.diverged =
             self.done && self.is_relaxed() && self.strands.iter().any(|strand| strands[*strand as usize].residual > DIVERGED);
     }
 }

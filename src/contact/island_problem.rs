@@ -58,7 +58,7 @@ impl Island {
             return Ok(());
         }
         let ProblemScratch { space, solver, forces, partition } = scratch;
-        self.iterations += 1;
+        self.progress.iterations += 1;
         space.reset(step)?;
         self.choose_included(strands);
         self.partition_included(strands, partition);
@@ -81,7 +81,7 @@ impl Island {
             }
             let constraint = self.included[index] as usize;
             let rubs = (self.constraints[constraint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
-            let before = if self.iterations <= ASKED { 1.0 } else { self.constraints[constraint].rubs };
+            let before = if self.progress.iterations <= ASKED { 1.0 } else { self.constraints[constraint].rubs };
             self.constraints[constraint].rubs = rubs.min(before);
             let (law, mut unconstrained) = self.evaluate(constraint, strands, options, step);
             let [first, second] = self.ends[constraint];
@@ -104,7 +104,7 @@ impl Island {
         }
         // The size of the problem, for tolerances relative to it.
         let longest = space.constraints().iter().map(|constraint| constraint.unconstrained.norm()).fold(0.0, f64::max);
-        self.report.size = if options.model.is_soft() { 1.0 } else { (longest / (SPEED * step)).max(1.0) };
+        self.progress.report.size = if options.model.is_soft() { 1.0 } else { (longest / (SPEED * step)).max(1.0) };
         space.part(&partition.strand_ends, &partition.constraint_ends);
         // Springs have no exact laws: their tolerance is relative to the problem.
         let soft = options.model.is_soft();
@@ -113,17 +113,17 @@ impl Island {
         let tolerance = part * self.asked(options);
         // A large problem not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to
         // the last digit.)
-        let size = self.report.size;
-        let deserved = match self.iterations {
+        let size = self.progress.report.size;
+        let deserved = match self.progress.iterations {
             _ if self.included.len() <= SMALL && longest <= GENTLE * self.shortest_element(strands) => 0.0,
             1 => FIRST * size,
-            _ => (FIRST * size).min(FORCING * self.ending.residual),
+            _ => (FIRST * size).min(FORCING * self.progress.ending.residual),
         };
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
-        self.report = solver.solve_by(space, &settings, forces, workers, meter);
-        self.sweeps += self.report.sweeps;
-        meter.spend(self.report.work);
+        self.progress.report = solver.solve_by(space, &settings, forces, workers, meter);
+        self.sweeps += self.progress.report.sweeps;
+        meter.spend(self.progress.report.work);
         if meter.is_halted() {
             return Ok(());
         }
@@ -149,8 +149,8 @@ impl Island {
         meter: &Meter,
     ) {
         if self.solve(strands, options, step, scratch, workers, meter).is_err() {
-            (self.done, self.ending.diverged) = (true, self.is_relaxed());
-            self.ending.good_enough = false;
+            (self.done, self.progress.ending.diverged) = (true, self.is_relaxed());
+            self.progress.ending.good_enough = false;
         }
     }
 

@@ -37,7 +37,7 @@ impl Island {
     /// After convergence: the strands that have to yield along themselves and cannot.
     pub fn kinks(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions) -> Vec<Kink> {
         let mut kinks: Vec<Kink> = Vec::new();
-        if self.kinked >= MAX_KINKS {
+        if self.progress.kinked >= MAX_KINKS {
             return kinks;
         }
         for (constraint, ends) in self.constraints.iter().zip(&self.ends) {
@@ -81,7 +81,7 @@ impl Island {
             }
         }
         if !kinks.is_empty() {
-            self.kinked += 1;
+            self.progress.kinked += 1;
         }
         kinks
     }

@@ -40,7 +40,7 @@ impl Island {
             .iter()
             .filter(|constraint| is_pushed(constraint))
             .fold(0.0, |a: f64, constraint| a.max(constraint.off));
-        let (before, times) = self.pushed;
+        let (before, times) = self.progress.pushed;
         if deepest <= options.tolerance || deepest > GETS_ON * before || times == MAX_PUSHES {
             return false;
         }
@@ -49,8 +49,8 @@ impl Island {
             // No strand at its ends may go on resting.
             constraint.standing.wakes = [true; 2];
         }
-        self.pushed = (deepest, times + 1);
-        self.begin_to_count(self.iterations);
+        self.progress.pushed = (deepest, times + 1);
+        self.begin_to_count(self.progress.iterations);
         true
     }
 }

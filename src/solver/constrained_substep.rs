@@ -379,7 +379,7 @@ impl ConstrainedSubstep {
         let finish_one =
             |pack: &mut AnyPack, strand: &mut Strand, constrained: &mut ConstrainedStrand, scratch: &mut WorkerScratch| {
                 let island = &islands[constrained.island as usize];
-                let left = island.ending.stopped != Stopped::No;
+                let left = island.progress.ending.stopped != Stopped::No;
                 if stopped == Stopped::Cancelled || stopped != Stopped::No && !constrained.advanced {
                     constrained.step.outcome = if stopped == Stopped::Cancelled {
                         strand.go_with_root(h, bodies)
@@ -389,9 +389,9 @@ impl ConstrainedSubstep {
                     constrained.carried = true;
                     return;
                 }
-                let at_end = constrained.resting || island.ending.attempt_converged;
+                let at_end = constrained.resting || island.progress.ending.attempt_converged;
                 let converged = !constrained.has_undetected
-                    && (island.ending.converged || (at_end && island.holds(&constrained.attachments)));
+                    && (island.progress.ending.converged || (at_end && island.holds(&constrained.attachments)));
                 let quarantined = constrained.step.outcome.quarantined || island.has_diverged(constrained);
                 let fails = !converged && !quarantined;
                 let behind = fails && island.is_behind(constrained);

@@ -385,7 +385,7 @@ impl ContactDetection {
         for end in undetected.iter().flatten().flat_map(StepConstraint::ends) {
             let strand = &mut strands[end.strand as usize];
             strand.has_undetected = true;
-            islands[strand.island as usize].ending.converged = false;
+            islands[strand.island as usize].progress.ending.converged = false;
         }
         let whole = undetected.is_some();
         self.undetected = undetected.unwrap_or_default();
@@ -413,7 +413,7 @@ impl ContactDetection {
         }
         for constrained in strands.iter_mut() {
             let island = &islands[constrained.island as usize];
-            (constrained.ended, constrained.progress) = (island.ended(), island.progress());
+            (constrained.ended, constrained.progress) = (island.ended(), island.unfinished());
             constrained.resting |= constrained.ended.is_some_and(|ending| ending.converged);
         }
         for end in undetected.iter().flat_map(StepConstraint::ends) {

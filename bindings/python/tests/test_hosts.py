@@ -55,10 +55,10 @@ def frames_of(folder: Path, name: str, first: int, count: int) -> list[np.ndarra
     return rows
 
 
-def alike(one: np.ndarray, other: np.ndarray) -> None:
-    """Single-precision numbers in m that are equal but for a last bit of one in twenty."""
+def alike(one: np.ndarray, other: np.ndarray, below: float = 1e-7) -> None:
+    """Single-precision numbers in m that are equal but for a last bit of one in twenty. (From 1 to 2 m a last bit is 1.2e-7.)"""
     assert one.dtype == other.dtype == np.float32
-    assert np.abs(one - other).max() <= np.spacing(np.abs(one).max()) and (one == other).mean() > 0.95
+    assert np.abs(one - other).max() < below and (one == other).mean() > 0.95
 
 
 @pytest.mark.skipif(BINARY is None, reason="SUPERHELIX_BINARY names no superhelix program")
@@ -82,7 +82,7 @@ def test_command_line(scene: Path, tmp_path: Path, start: float | None) -> None:
     there = frames_of(tmp_path / "out", "hair", 1, len(done.times))
     assert np.linalg.norm(done.points[-1] - done.points[0], axis=-1).max() > 0.1
     for frame, rows in enumerate(there):
-        alike(rows, done.points[frame].reshape(-1, 3))
+        alike(rows, done.points[frame].reshape(-1, 3), 1e-7 if start is None else 1.2e-7)
 
 
 @pytest.mark.skipif(LIBRARY is None or shutil.which("cc") is None, reason="no C compiler, or SUPERHELIX_LIBRARY names no library")

@@ -83,8 +83,8 @@ impl ConstrainedSubstep {
             (scene.strands[strand.index as usize].id, strand.along(material_point))
         };
         for island in islands.iter().filter(|island| !island.is_subdivided) {
-            contact.unconverged += u32::from(!island.ending.converged);
-            contact.residual = contact.residual.max(island.ending.residual);
+            contact.unconverged += u32::from(!island.progress.ending.converged);
+            contact.residual = contact.residual.max(island.progress.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
             let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
             for constraint in &island.constraints {
@@ -111,7 +111,7 @@ impl ConstrainedSubstep {
                         let (strand, arclength) = place(constraint.first.strand, &constraint.first.material_point);
                         let position =
                             self.strands[constraint.first.strand as usize].end_state(&constraint.first.material_point).now;
-                        let most = self.max_force(constraint, h) * if island.ending.converged { SOLVED } else { 1.0 };
+                        let most = self.max_force(constraint, h) * if island.progress.ending.converged { SOLVED } else { 1.0 };
                         let size = constraint.force.norm();
                         let force = if size > most { constraint.force * (most / size) } else { constraint.force };
                         contact.capped += u32::from(size > most);
@@ -139,7 +139,7 @@ impl ConstrainedSubstep {
         }
         self.detection.store_warm_start(islands.iter().filter(|island| !island.is_subdivided), &self.strands);
         for island in islands {
-            for dependent in &island.report.dependent {
+            for dependent in &island.progress.report.dependent {
                 if let Some(index) = island.constraints[dependent.constraint].bilateral() {
                     scene.constraints[index as usize].depends();
                 }

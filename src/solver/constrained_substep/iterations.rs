@@ -36,7 +36,7 @@ impl ConstrainedSubstep {
         self.iterate_coupled(scene, h, most);
         // Here and not at the end of the substep: the next search forms new islands.
         for island in &mut self.islands[..self.island_count] {
-            contact.iterations = contact.iterations.max(island.iterations);
+            contact.iterations = contact.iterations.max(island.progress.iterations);
             contact.sweeps += u64::from(std::mem::take(&mut island.sweeps));
         }
     }
@@ -56,7 +56,7 @@ impl ConstrainedSubstep {
                 break;
             }
             let coupled = islands.iter_mut().filter(|island| !island.is_solitary);
-            for island in coupled.filter(|island| island.done && island.ending.stopped == Stopped::No) {
+            for island in coupled.filter(|island| island.done && island.progress.ending.stopped == Stopped::No) {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
                     for kink in &kinks {
@@ -108,7 +108,8 @@ impl ConstrainedSubstep {
             *at_work = recycled(to_solve);
             *contact_seconds += begins.elapsed().as_secs_f64();
             if setting.options.integrator == Integrator::SecondOrder {
-                for island in islands.iter().filter(|island| goes(island) && island.iterations < options.max_iterations) {
+                for island in islands.iter().filter(|island| goes(island) && island.progress.iterations < options.max_iterations)
+                {
                     Self::begin_pressed_again(island, strands);
                 }
             }

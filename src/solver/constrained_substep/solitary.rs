@@ -86,7 +86,7 @@ fn iterate_pack(Work { pack, members }: &mut Work<Member>, scene: &Scene, h: f64
     let mut contact = 0.0;
     while !meter.is_halted() {
         for (constrained, island) in members.iter_mut().flatten() {
-            if !island.done || island.ending.stopped != Stopped::No || island.iterations_left == 0 {
+            if !island.done || island.progress.ending.stopped != Stopped::No || island.iterations_left == 0 {
                 continue;
             }
             if let Some(kink) = island.kinks(&Solitary(constrained), options).first() {
@@ -112,7 +112,7 @@ fn iterate_pack(Work { pack, members }: &mut Work<Member>, scene: &Scene, h: f64
             let strand = Solitary(constrained);
             island.find_ends(&strand);
             island.solve_or_diverge(&strand, options, h, &mut scratch.problem, &alone, meter);
-            if second_order && !island.done && island.iterations < options.max_iterations {
+            if second_order && !island.done && island.progress.iterations < options.max_iterations {
                 constrained.begins_again |= !constrained.first_order && island.presses();
             }
         }

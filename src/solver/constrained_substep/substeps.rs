@@ -46,7 +46,7 @@ impl ConstrainedSubstep {
             let may = island.failed() && !island.has_bilateral() && !scene.options.model.is_soft();
             // (A large tangle that cannot be satisfied is expensive. Substeps do not separate what two surfaces push into each
             // other.)
-            let large = !scene.is_nested && (island.ending.diverged || island.left.newly > deep);
+            let large = !scene.is_nested && (island.progress.ending.diverged || island.left.newly > deep);
             let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
             island.is_subdivided = may && (few || large);
         }
@@ -87,7 +87,7 @@ impl ConstrainedSubstep {
             {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
                 // (Strands that stayed as they were when the step began have no end to return to.)
-                island.is_subdivided = left[k] <= most || island.ending.diverged;
+                island.is_subdivided = left[k] <= most || island.progress.ending.diverged;
                 some_go_back |= !island.is_subdivided;
                 substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
             }

@@ -38,7 +38,7 @@ class SmoothMotion:
 
     def __init__(self, times: npt.ArrayLike, poses: Any) -> None:
         self._times, self._poses = _samples(times, poses)
-        self(self._times[0])
+        self(self._times[0])  # refuses poses that cannot be
 
     def __call__(self, time: npt.ArrayLike) -> Numbers:
         """The frame at a time, s, or a row for each of an array of times."""
@@ -125,18 +125,23 @@ def read_motion(path: Path) -> tuple[Numbers, Numbers]:
 
 def carried(start: npt.ArrayLike, now: npt.ArrayLike, pivot: npt.ArrayLike) -> Numbers:
     """Returns the frame that maps the groom's axes to the world when the head moves from start to now about its joint at pivot, m."""
-    before, after, joint = np.asarray(start, float), np.asarray(now, float), np.asarray(pivot, float)
-    turn = turned.multiply(after[3:], before[3:] * [-1.0, -1.0, -1.0, 1.0])
-    return np.concatenate([joint + after[:3] - before[:3] + turned.rotate(turn, -joint), turn])
+    turn, joint, place = _turned(start, now, pivot)
+    return np.concatenate([place + turned.rotate(turn, -joint), turn])
 
 
 def carried_roots(start: npt.ArrayLike, now: npt.ArrayLike, pivot: npt.ArrayLike, roots: npt.ArrayLike) -> Numbers:
     """Returns where frames of the groom (rows) are when the head moves from start to now about its joint at pivot, m."""
-    before, after, joint = np.asarray(start, float), np.asarray(now, float), np.asarray(pivot, float)
+    turn, joint, place = _turned(start, now, pivot)
     rows = np.asarray(roots, float)
-    turn = turned.multiply(after[3:], before[3:] * [-1.0, -1.0, -1.0, 1.0])
-    origins = joint + after[:3] - before[:3] + turned.rotate(turn, rows[:, :3] - joint)
+    origins = place + turned.rotate(turn, rows[:, :3] - joint)
     return np.concatenate([origins, turned.multiply(np.broadcast_to(turn, (len(rows), 4)), rows[:, 3:])], axis=1)
+
+
+def _turned(start: npt.ArrayLike, now: npt.ArrayLike, pivot: npt.ArrayLike) -> tuple[Numbers, Numbers, Numbers]:
+    """How a head turns from start to now, and where its joint was and is."""
+    before, after, joint = np.asarray(start, float), np.asarray(now, float), np.asarray(pivot, float)
+    turn = turned.multiply(after[3:], before[3:] * [-1.0, -1.0, -1.0, 1.0])
+    return turn, joint, joint + after[:3] - before[:3]
 
 
 def root_velocities(motion: Motion, time: float, pivot: npt.ArrayLike, origins: npt.ArrayLike) -> tuple[Numbers, Numbers]:
