@@ -331,7 +331,8 @@ impl Scene {
             let spring = |contact: &Contact| {
                 let depth = (-contact.gap).max(0.0);
                 match model {
-                    ContactModel::Penalty => 0.5 * stiffness * depth * depth,
+                    // (At points, strands touch each other as with penalties.)
+                    ContactModel::Penalty | ContactModel::AtPoints => 0.5 * stiffness * depth * depth,
                     ContactModel::RegularisedPenalty if depth < soft => stiffness * depth.powi(3) / (6.0 * soft),
                     ContactModel::RegularisedPenalty => stiffness * (0.5 * depth * (depth - soft) + soft * soft / 6.0),
                     ContactModel::Coulomb => 0.0,

@@ -29,7 +29,7 @@ struct Case {
     contact: Option<(ContactModel, u32)>,
 }
 
-const CASES: [Case; 5] = [
+const CASES: [Case; 8] = [
     Case { name: "free", guides: 10_000, elements: 10, precision: Precision::F64, contact: None },
     Case { name: "hard", guides: 10_000, elements: 10, precision: Precision::F64, contact: Some((ContactModel::Coulomb, 50)) },
     Case {
@@ -46,6 +46,27 @@ const CASES: [Case; 5] = [
         elements: 5,
         precision: Precision::F32,
         contact: Some((ContactModel::Penalty, 1)),
+    },
+    Case {
+        name: "at points, 4 iterations",
+        guides: 10_000,
+        elements: 10,
+        precision: Precision::F64,
+        contact: Some((ContactModel::AtPoints, 4)),
+    },
+    Case {
+        name: "at points, 1 iteration",
+        guides: 10_000,
+        elements: 10,
+        precision: Precision::F64,
+        contact: Some((ContactModel::AtPoints, 1)),
+    },
+    Case {
+        name: "at points, 1 iteration",
+        guides: 150_000,
+        elements: 5,
+        precision: Precision::F32,
+        contact: Some((ContactModel::AtPoints, 1)),
     },
 ];
 

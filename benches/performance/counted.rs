@@ -134,7 +134,7 @@ fn step_in<T: Lane>(setting: &crowd::Setting) -> (f64, f64) {
         origin: start.origin + (end.origin - start.origin) * (elapsed / STEP),
         rotation: start.rotation.slerp(&end.rotation, elapsed / STEP),
     };
-    let one = One { model: &model, state: &mut state, root_at: &root_at, target: None };
+    let one = One { model: &model, state: &mut state, root_at: &root_at, target: None, touches: None };
     let mut workspace = Workspace::<T>::default();
     let mut elimination = Elimination::<T>::default();
     OPERATIONS.set(0);

@@ -68,8 +68,12 @@ fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &Step
         let root_at = |elapsed: f64| scene.root(walk, from + elapsed);
         let surroundings = Surroundings { gravity: Vector3::from(GRAVITY).into(), wind: scene.wind(from).into() };
         let setting = Setting { surroundings: &surroundings, options, rules: &rules };
-        let outcome =
-            step::take(&setting, &mut One { model: &model, state: &mut state, root_at: &root_at, target: None }, h, &mut scratch);
+        let outcome = step::take(
+            &setting,
+            &mut One { model: &model, state: &mut state, root_at: &root_at, target: None, touches: None },
+            h,
+            &mut scratch,
+        );
         assert!(outcome.converged && !outcome.quarantined, "{} {} at {from} s: {outcome:?}", scene.name(), hair.name());
         if (call + 1) % (rate / FRAMES) == 0 {
             let rule = rules.rule(state.rule);

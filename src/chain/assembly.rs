@@ -280,6 +280,11 @@ impl<T: Lane, const D: usize> Meets<T, D> {
                 left.tension_moment += x.cross(f);
                 left.tension_force += f;
             }
+            if let Some(stiffness) =
+                system.normal_stiffness.get(p).filter(|stiffness| T::any(T::zero().less(**stiffness * **stiffness)))
+            {
+                self.add_normal_spring(left, element.frame_left.apply_transposed(system.normals[p]), *stiffness, x, &j);
+            }
             for i in 0..D {
                 let kj = j[i].scale(stiffness);
                 self.rho_k[i] += kj;
@@ -301,6 +306,30 @@ impl<T: Lane, const D: usize> Meets<T, D> {
             left.a[slot] += own[slot];
         }
         PointSums { stiffness: stiffness_sum, first_moment }
+    }
+
+    /// A spring along the unit normal n on a point at x: n·δr = n·ρ + (x×n)·ψ + (Jᵀn)·δκ.
+    #[inline(always)]
+    fn add_normal_spring(&mut self, left: &mut Downstream<T>, n: Vec3<T>, stiffness: T, x: Vec3<T>, j: &[Vec3<T>; D]) {
+        let m = x.cross(n);
+        let (km, kn) = (m.scale(stiffness), n.scale(stiffness));
+        for (slot, (row, column)) in PAIRS.into_iter().enumerate() {
+            left.a[slot] += km.0[row] * m.0[column];
+            left.c[slot] += kn.0[row] * n.0[column];
+        }
+        for row in 0..3 {
+            for column in 0..3 {
+                left.b.0[row][column] += km.0[row] * n.0[column];
+            }
+        }
+        for i in 0..D {
+            let along = j[i].dot(n);
+            self.rho_k[i] += kn.scale(along);
+            self.psi_k[i] += km.scale(along);
+            for k in 0..=i {
+                self.kk[i][k] += stiffness * along * j[k].dot(n);
+            }
+        }
     }
 
     /// The tension of loads, each as a point without stiffness; a lever is a rigid piece downstream of its place, whose force has a moment there.

@@ -15,6 +15,10 @@ pub struct ChainSystem<T> {
     pub point_force: Vec<Vec3<T>>,
     /// Forces whose geometric terms enter the exact Hessian, world axes, N; empty for those of `point_force`.
     pub point_tension: Vec<Vec3<T>>,
+    /// Unit normals of springs that act on the points in one direction only, world axes; empty where there are none.
+    pub normals: Vec<Vec3<T>>,
+    /// Stiffness of each of these springs, N/m; zero for none. Below zero it takes away from what `point_stiffness` has along the normal.
+    pub normal_stiffness: Vec<T>,
     /// Stiffness of each curvature of each element, length included, N·m³.
     pub curvature_stiffness: Vec<[T; 3]>,
     /// Generalised force on each curvature of each element, length included, N·m².
@@ -31,6 +35,8 @@ impl<T: Lane> Default for ChainSystem<T> {
             point_stiffness: Vec::new(),
             point_force: Vec::new(),
             point_tension: Vec::new(),
+            normals: Vec::new(),
+            normal_stiffness: Vec::new(),
             curvature_stiffness: Vec::new(),
             curvature_force: Vec::new(),
             rotation_stiffness: T::zero(),
@@ -84,6 +90,8 @@ impl<T: Lane> ChainSystem<T> {
         self.point_stiffness.resize(points, T::zero());
         self.point_force.resize(points, Vec3::zero());
         self.point_tension.clear();
+        self.normals.clear();
+        self.normal_stiffness.clear();
         self.curvature_stiffness.resize(elements, [T::zero(); 3]);
         self.curvature_force.resize(elements, [T::zero(); 3]);
     }

@@ -210,7 +210,7 @@ impl Island {
         let size = self.progress.report.size.max(1.0);
         let in_the_end = match options.model {
             ContactModel::Coulomb => options.residual,
-            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT * size,
+            ContactModel::Penalty | ContactModel::RegularisedPenalty | ContactModel::AtPoints => SOFT * size,
         };
         if self.rough { in_the_end.max(ROUGH * size) } else { in_the_end }
     }

@@ -33,6 +33,7 @@
 //! - `path_clearance.rs`: Whether a strand that has stepped unconstrained stayed clear of a body all the time: a bound on the distance, piece by piece and time by time.
 //! - `permitted_overlap.rs`: Permitted overlaps of a strand with others and with bodies, along its length.
 //! - `pieces.rs`: Strands cut into pieces that bend little, each represented by its chord: the input of the search for pairs.
+//! - `point_surfaces.rs`: The surfaces of bodies that a strand's quadrature points may touch, for contact at points (`step/point_contacts.rs`).
 //! - `pushing.rs`: Removes the depth of yielding contacts.
 //! - `rank.rs`: Cholesky's factorisation of a positive semidefinite matrix with pivoting: rows that depend on others are left out.
 //! - `segment_distance.rs`: Closest points of two straight segments.
@@ -77,6 +78,7 @@ mod patch;
 pub mod path_clearance;
 pub mod permitted_overlap;
 pub mod pieces;
+pub mod point_surfaces;
 mod pushing;
 mod rank;
 pub mod segment_distance;

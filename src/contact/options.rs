@@ -23,6 +23,12 @@ pub enum ContactModel {
     /// friction is Coulomb's, all contacts as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
     #[default]
     Coulomb = 4,
+    /// For games and previews: contact with bodies at the strands' integration points alone (four or more an element), with Coulomb's
+    /// friction, as part of each strand's own minimisation: side by side with free strands, and in single precision too. Springs are a hundred
+    /// times as stiff as what a point's inertia and the strand's bending put against them in the step, so that surfaces sink into each other by
+    /// tenths of a millimetre; more between the points, and what is thinner than their distance passes. Strands that collide with others or
+    /// have constraints are stepped as with [`ContactModel::Penalty`].
+    AtPoints = 5,
 }
 
 impl ContactModel {
@@ -32,13 +38,14 @@ impl ContactModel {
             1 => Some(Self::Penalty),
             2 => Some(Self::RegularisedPenalty),
             3 | 4 => Some(Self::Coulomb),
+            5 => Some(Self::AtPoints),
             _ => None,
         }
     }
 
     /// Whether surfaces may sink into each other.
     pub fn is_soft(self) -> bool {
-        matches!(self, Self::Penalty | Self::RegularisedPenalty)
+        matches!(self, Self::Penalty | Self::RegularisedPenalty | Self::AtPoints)
     }
 }
 
@@ -65,17 +72,17 @@ pub struct ContactOptions {
     pub damping: f64,
     /// Regularised penalty: d_reg, m; above zero.
     pub regularisation_depth: f64,
-    /// Coulomb: the largest depth of overlap at the end of a step, m; above zero.
+    /// Coulomb: the largest depth of overlap at the end of a step, m; above zero. At points: friction grows with the overlap up to twice this.
     pub tolerance: f64,
     /// Coulomb: the error of the laws of contact and friction at which a step is reported as converged; 1e-12 to 1. At every
     /// contact they hold exactly for some force within `residual` times the force (or the lightest strand's weight, where that
     /// is more) of the one that acts, and some velocity within `residual` times [`SPEED`] of the actual one: 1e-4 is a
     /// ten-thousandth of the force and a micrometre per second. (Strands converge to the solver's Newton tolerance.)
     pub residual: f64,
-    /// Coulomb: the speed at which surfaces that overlap when a step begins (as in a groom that was drawn so) are separated,
+    /// Coulomb, at points: the speed at which surfaces that overlap when a step begins (as in a groom that was drawn so) are separated,
     /// m/s; above zero.
     pub separation_speed: f64,
-    /// The limit of Newton iterations that strands take together in a step; 1 to 10000. With the penalty models up to ten are a
+    /// The limit of Newton iterations that strands take together in a step; 1 to 10000. With the soft models up to ten are a
     /// choice of what to pay for a step (`docs/notebook/contact.md` has prices of one, two and four): what springs have not
     /// pushed out by then they do in the next steps, and strands that have not converged are reported. More, and any number
     /// with the other models, are a limit: what has not converged by then is repeated with constraints that yield.

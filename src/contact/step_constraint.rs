@@ -409,7 +409,7 @@ impl StepConstraint {
     ) -> (Law, Vector3<f64>) {
         (self.gap, self.slip) = (gap, slip);
         let (response, allowed) = match options.model {
-            ContactModel::Penalty => {
+            ContactModel::Penalty | ContactModel::AtPoints => {
                 let damping = options.damping * options.stiffness;
                 let depth_at_start = (-start_gap).max(0.0);
                 (Response::Penalty { stiffness: options.stiffness, damping, depth_at_start }, 0.0)

@@ -36,7 +36,7 @@ use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::constrained_strand::{Attachment, ConstrainedStrand};
 use crate::contact::island::Island;
-use crate::contact::options::ContactOptions;
+use crate::contact::options::{ContactModel, ContactOptions};
 use crate::contact::step_constraint::StepConstraint;
 use crate::math::disjoint_sets::DisjointSets;
 use crate::math::lanes::InstructionSet;
@@ -127,15 +127,20 @@ pub(super) struct Scene<'a> {
 impl Strand {
     /// Whether hair or one of the bodies may constrain it in a substep of `h` seconds.
     #[inline]
-    fn may_be_constrained(&self, bodies: &[BodyAt], hair: bool, h: f64) -> Constrained {
+    fn may_be_constrained(&self, bodies: &[BodyAt], options: &ContactOptions, h: f64) -> Constrained {
         let Some(contact) = self.contact.as_deref() else { return Constrained::No };
         // It still meets the bodies that passed it while it was elsewhere.
-        if !self.bodies_from().is_empty() || hair && contact.wisp_radius > 0.0 {
+        let at_points = options.model == ContactModel::AtPoints;
+        if !at_points && !self.bodies_from().is_empty() || options.hair && contact.wisp_radius > 0.0 {
             return Constrained::Yes;
         }
         let around = self.reach(contact, &self.root_during(h));
         let is_near = bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
-        if is_near { Constrained::Perhaps } else { Constrained::No }
+        match (is_near, at_points) {
+            (false, _) => Constrained::No,
+            (true, true) => Constrained::AtPoints,
+            (true, false) => Constrained::Perhaps,
+        }
     }
 }
 
@@ -143,6 +148,11 @@ impl ConstrainedSubstep {
     /// The contacts with a force at the end of the last substep.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// Adds a contact to those of the last substep.
+    pub fn add_contact(&mut self, contact: Contact) {
+        self.contacts.push(contact);
     }
 
     /// A substep's time beside its iterations, as far as it is known.
@@ -190,10 +200,10 @@ impl ConstrainedSubstep {
     /// Marks the strands that are constrained in this substep of `h` seconds. True if some may be constrained only by a body
     /// near them.
     pub fn mark(scene: &mut Scene, h: f64) -> bool {
-        let (hair, mut are_near) = (scene.options.hair, false);
+        let mut are_near = false;
         for strand in scene.strands.iter_mut() {
             strand.constrained =
-                if strand.is_aside() { Constrained::No } else { strand.may_be_constrained(scene.bodies, hair, h) };
+                if strand.is_aside() { Constrained::No } else { strand.may_be_constrained(scene.bodies, scene.options, h) };
             are_near |= strand.constrained == Constrained::Perhaps;
         }
         for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {

@@ -2,6 +2,7 @@
 //!
 //! Files:
 //!
+//! - `at_points.rs`: Contact at points: strands that only bodies may touch step side by side with others, and their contacts are taken down.
 //! - `attachment.rs`: Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
 //! - `bodies.rs`: Bodies, which strands stay outside of.
 //! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
@@ -47,6 +48,7 @@
 //! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
 //! - `workers.rs`: The workers of a step and their scratch memory.
 
+mod at_points;
 pub mod attachment;
 pub mod bodies;
 mod bringing_out;
@@ -151,6 +153,8 @@ pub struct Solver {
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
     bodies_at_work: BodiesAtWork,
+    /// Memory for contacts at points.
+    touched: at_points::Touched,
     events: Option<Box<ContactEvents>>,
     wind_field: Option<std::sync::Arc<dyn WindField>>,
     /// Nanoseconds that sampling took since the last step.
@@ -188,6 +192,7 @@ impl Solver {
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
             bodies_at_work: BodiesAtWork::default(),
+            touched: at_points::Touched::default(),
             events: None,
             wind_field: None,
             sampling: AtomicU64::new(0),

@@ -3,6 +3,7 @@
 //! Among equal pack keys strands are packed by their last numbers of iterations, so that a pack does not wait for one of its
 //! strands. The other strands of a pack do not affect a strand's result.
 
+use super::at_points::{AtPoints, NearBodies};
 use super::strand::{self, Constrained, Strand, Tally};
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
@@ -11,8 +12,9 @@ use crate::math::prefetch::prefetch;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::rod::target::TargetAt;
-use crate::step::members::{Pack, PackKey};
+use crate::step::members::{One, OneTouches, Pack, PackKey};
 use crate::step::options::Integrator;
+use crate::step::point_contacts::{PointContact, PointContactOptions, Surfaces};
 use crate::step::scratch::StepScratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
@@ -25,6 +27,8 @@ pub(super) const MAX_TASK: usize = 256;
 pub(super) struct TrialTally<'a> {
     pub all: &'a mut Tally,
     pub on_trial: &'a mut [StrandOutcome],
+    /// What strands touch at their points, if that is how contact is answered.
+    pub at_points: Option<AtPoints<'a>>,
 }
 
 impl TrialTally<'_> {
@@ -103,13 +107,14 @@ fn take_present(
         if strand.is_constrained() {
             continue;
         }
-        if strand.state.subdivision.min(levels) > 0 {
+        let touches = strand.constrained == Constrained::AtPoints;
+        if strand.state.subdivision.min(levels) > 0 && !touches {
             take_one(strands, index, setting, h, tally, scratch);
         } else {
             let kind = PackKey::of(
                 &strand.model,
                 &strand.state,
-                strand::drawn_by(&strand.target).is_some(),
+                [strand::drawn_by(&strand.target).is_some(), touches],
                 setting.options.integrator,
                 h,
             );
@@ -161,11 +166,17 @@ fn take_pack(
     for (lane, (_, _, index)) in pack.iter().enumerate() {
         indices[lane] = *index as usize;
     }
-    let mut picked = Picked { strands, indices: &indices[..pack.len()] };
+    let touches = strands[indices[0]].constrained == Constrained::AtPoints;
+    let mut at_points = tally.at_points.as_mut().filter(|_| touches);
+    let near = at_points.as_mut().map(|at_points| at_points.find_near(indices[..pack.len()].iter().map(|k| &strands[*k]), h));
+    let mut picked = Picked { strands, indices: &indices[..pack.len()], at_points, near: near.as_ref() };
     let outcomes = packs::take(&mut picked, setting, h, set, scratch);
+    if let (Some(at_points), Some(near)) = (tally.at_points.as_mut(), near) {
+        at_points.give_back(near);
+    }
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
-        let outcome = strand.with_one(|one| step::finish(setting, one, h, outcome, scratch));
+        let outcome = if touches { *outcome } else { strand.with_one(|one| step::finish(setting, one, h, outcome, scratch)) };
         tally.add(*index, strand, &outcome);
         strand.ended(outcome, setting, h, &[], scratch);
     }
@@ -173,18 +184,51 @@ fn take_pack(
 
 fn take_one(strands: &mut [Strand], index: usize, setting: &Setting, h: f64, tally: &mut TrialTally, scratch: &mut StepScratch) {
     let strand = &mut strands[index];
-    let outcome = strand.with_one(|one| step::take(setting, one, h, scratch));
+    let outcome = match tally.at_points.as_mut().filter(|_| strand.constrained == Constrained::AtPoints) {
+        Some(at_points) => take_one_at_points(strand, at_points, setting, h, scratch),
+        None => strand.with_one(|one| step::take(setting, one, h, scratch)),
+    };
     tally.add(index, strand, &outcome);
     strand.ended(outcome, setting, h, &[], scratch);
 }
 
-/// Strands picked from a task's.
-struct Picked<'a> {
-    strands: &'a mut [Strand],
-    indices: &'a [usize],
+fn take_one_at_points(
+    strand: &mut Strand,
+    at_points: &mut AtPoints,
+    setting: &Setting,
+    h: f64,
+    scratch: &mut StepScratch,
+) -> StrandOutcome {
+    let near = at_points.find_near(std::iter::once(&*strand), h);
+    let (mut contacts, mut depth) = (Vec::new(), f64::NEG_INFINITY);
+    let Strand { model, state, root_move, target, contact, permitted_overlap, .. } = &mut *strand;
+    let start = state.root;
+    let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
+    let surfaces = at_points.surfaces_of(&near, 0, contact.as_deref(), permitted_overlap.as_deref());
+    let touches = surfaces.as_ref().map(|surfaces| OneTouches {
+        options: at_points.options,
+        surfaces,
+        contacts: &mut contacts,
+        depth: &mut depth,
+    });
+    let mut one = One { model, state, root_at: &root_at, target: strand::drawn_by(target), touches };
+    let outcome = step::take(setting, &mut one, h, scratch);
+    at_points.give_back(near);
+    contacts.iter().for_each(|contact| at_points.take_contact(strand, contact));
+    at_points.found.depth = at_points.found.depth.max(depth);
+    outcome
 }
 
-impl Pack for Picked<'_> {
+/// Strands picked from a task's.
+struct Picked<'a, 'b> {
+    strands: &'a mut [Strand],
+    indices: &'a [usize],
+    /// What they may touch at their points.
+    at_points: Option<&'a mut AtPoints<'b>>,
+    near: Option<&'a NearBodies>,
+}
+
+impl Pack for Picked<'_, '_> {
     fn count(&self) -> usize {
         self.indices.len()
     }
@@ -204,5 +248,25 @@ impl Pack for Picked<'_> {
     }
     fn target(&self, lane: usize) -> Option<TargetAt<'_>> {
         strand::drawn_by(&self.strands[self.indices[lane]].target)
+    }
+    fn point_contact(&self) -> Option<PointContactOptions> {
+        self.at_points.as_ref().map(|at_points| at_points.options)
+    }
+    fn with_surfaces(&self, lane: usize, ask: &mut dyn FnMut(&dyn Surfaces)) {
+        let (Some(at_points), Some(near)) = (&self.at_points, self.near) else { return };
+        let Strand { contact, permitted_overlap, .. } = &self.strands[self.indices[lane]];
+        if let Some(surfaces) = at_points.surfaces_of(near, lane, contact.as_deref(), permitted_overlap.as_deref()) {
+            ask(&surfaces);
+        }
+    }
+    fn take_contact(&mut self, lane: usize, contact: &PointContact) {
+        if let Some(at_points) = &mut self.at_points {
+            at_points.take_contact(&mut self.strands[self.indices[lane]], contact);
+        }
+    }
+    fn take_depth(&mut self, _lane: usize, depth: f64) {
+        if let Some(at_points) = &mut self.at_points {
+            at_points.found.depth = at_points.found.depth.max(depth);
+        }
     }
 }

@@ -5,12 +5,14 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use super::Solver;
+use super::at_points::{self, AtPoints, Results};
 use super::constrained_substep::{Account, ConstrainedSubstep, ContactTally, Overhead, Scene};
 use super::constraints::ConstraintStatus;
 use super::id::BodyId;
 use super::report::{Phases, StepReport, Wrench};
 use super::side_by_side::{self, TrialTally};
 use super::strand::{Constrained, Tally, drawn_by};
+use super::workers::WorkerScratch;
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
@@ -222,7 +224,7 @@ impl Solver {
             for substep in 0..substeps {
                 let halted = meter.is_halted();
                 let h = if halted { h * f64::from(substeps - substep) } else { h };
-                let mut counts = TrialTally { all: &mut tally, on_trial: &mut [] };
+                let mut counts = TrialTally { all: &mut tally, on_trial: &mut [], at_points: None };
                 side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);
                 if halted {
                     break;
@@ -371,13 +373,23 @@ impl Solver {
             is_nested: false,
         };
         let (are_near, tolerance) = (ConstrainedSubstep::mark(&mut scene, h), scene.options.tolerance);
+        let at_points = at_points::options(scene.options, h);
+        if at_points.is_some() {
+            at_points::begin(scene.strands);
+        }
+        let found = Mutex::new(std::mem::take(&mut self.touched));
         self.workers.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             if are_near {
                 scratch.trial_steps.begin(strands, &bodies, h, meter);
             }
-            let mut counts = TrialTally { all: &mut tally, on_trial: scratch.trial_steps.outcomes() };
-            side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);
+            let WorkerScratch { step, trial_steps, touched, .. } = scratch;
+            let at_points = at_points.map(|options| AtPoints { bodies: &bodies, options, found: &mut *touched });
+            let mut counts = TrialTally { all: &mut tally, on_trial: trial_steps.outcomes(), at_points };
+            side_by_side::take(strands, &setting, h, set, &mut counts, step, meter);
+            if !touched.is_empty() {
+                found.lock().unwrap_or_else(PoisonError::into_inner).take(touched);
+            }
             if are_near {
                 scratch.trial_steps.end(strands, &bodies, tolerance, &mut tally);
             }
@@ -386,6 +398,10 @@ impl Solver {
         let mut tally = Tally::default();
         let account = Account { tally: &mut tally, contact, wrenches: &mut wrenches };
         self.constrained_substep.take(&mut scene, h, subdivision::levels(&self.options.step), account);
+        let mut touched = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let contacts = &mut *self.constrained_substep;
+        touched.report(&self.slots, &bodies, &ids, Results { contacts, wrenches: &mut wrenches, tally: contact });
+        self.touched = touched;
         let taken = begins.elapsed().as_secs_f64();
         total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         let at = recycled(bodies);

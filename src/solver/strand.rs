@@ -65,6 +65,8 @@ pub(super) struct Strand {
 pub(super) enum Constrained {
     /// Nothing does: it steps side by side with others.
     No,
+    /// Nothing but bodies at its points, so that it steps side by side with others.
+    AtPoints,
     /// Only a body near by may.
     Perhaps,
     /// The same, and it tries a step side by side with others.
@@ -291,7 +293,7 @@ impl Strand {
         let Self { model, state, root_move, target, .. } = self;
         let start = state.root;
         let root_at = |elapsed: f64| root_after(root_move, &start, elapsed);
-        work(&mut One { model, state, root_at: &root_at, target: drawn_by(target) })
+        work(&mut One { model, state, root_at: &root_at, target: drawn_by(target), touches: None })
     }
 
     /// Records the result of a substep of `h` seconds with these `bodies`.

@@ -1,5 +1,6 @@
 //! The workers of a step and their scratch memory.
 
+use super::at_points::Touched;
 use super::trial_steps::TrialSteps;
 use crate::contact::island_problem::ProblemScratch;
 use crate::step;
@@ -13,6 +14,8 @@ pub(super) struct WorkerScratch {
     pub problem: ProblemScratch,
     /// For strands near bodies, one task at a time.
     pub trial_steps: TrialSteps,
+    /// Contacts of a task's strands at their points.
+    pub touched: Touched,
 }
 
 /// Workers with the scratch memory of a step.

@@ -1,6 +1,7 @@
 //! The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand
 //! between them.
 
+use super::point_contacts::PointContacts;
 use crate::chain::axes::{axes, for_axes};
 use crate::chain::displacement;
 use crate::chain::system::ChainSystem;
@@ -41,6 +42,8 @@ pub struct Iterate<T> {
     /// Displacement from its base to which each point is drawn, where its position is relative to the root's new origin, world
     /// axes.
     pub point_target: Vec<Vec3<T>>,
+    /// Contact of the points, where bodies may touch the strands.
+    pub contacts: PointContacts<T>,
     /// Change from its base to which each curvature is drawn.
     pub curvature_target: Vec<[T; 3]>,
     /// The accepted curvatures.
@@ -68,6 +71,7 @@ impl<T: Lane> Default for Iterate<T> {
             point_base: Vec::new(),
             curvature_base: Vec::new(),
             point_target: Vec::new(),
+            contacts: PointContacts::default(),
             curvature_target: Vec::new(),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
@@ -156,10 +160,10 @@ pub(super) fn predict_tension<T: Lane>(it: &mut Iterate<T>, axes: &[usize], gone
     let Iterate { trial, system, change, .. } = it;
     system.point_tension.clone_from(&system.point_force);
     let gone = T::from_lanes(|lane| gone[lane]);
-    let (tension, stiffness) = (&mut system.point_tension, &system.point_stiffness);
+    let ChainSystem { point_tension: tension, point_stiffness: stiffness, normals, normal_stiffness, .. } = system;
     macro_rules! call {
         ($_list:ident, $count:literal, $mask:literal) => {
-            T::call(PredictTension::<_, $count, $mask> { trial, tension, stiffness, change, gone })
+            T::call(PredictTension::<_, $count, $mask> { trial, tension, stiffness, normals, normal_stiffness, change, gone })
         };
     }
     for_axes!(axes, call);
@@ -170,6 +174,8 @@ struct PredictTension<'a, T, const D: usize, const MASK: u32> {
     trial: &'a Kinematics<T>,
     tension: &'a mut [Vec3<T>],
     stiffness: &'a [T],
+    normals: &'a [Vec3<T>],
+    normal_stiffness: &'a [T],
     change: &'a [[T; 3]],
     gone: T,
 }
@@ -178,10 +184,13 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for PredictTension<'_, T, 
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let (tension, stiffness, gone) = (self.tension, self.stiffness, self.gone);
+        let Self { trial, tension, stiffness, normals, normal_stiffness, change, gone } = self;
         let axes = const { axes::<D>(MASK) };
-        displacement::for_each_point_along(self.trial, self.change, axes, |p, moved| {
+        displacement::for_each_point_along(trial, change, axes, |p, moved| {
             tension[p] -= moved.scale(gone * stiffness[p]);
+            if let Some(normal) = normals.get(p) {
+                tension[p] -= normal.scale(gone * normal_stiffness[p] * normal.dot(moved));
+            }
         });
     }
 }
@@ -190,42 +199,80 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for PredictTension<'_, T, 
 #[inline(always)]
 pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Evaluate { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
+    let contacts = &it.contacts;
+    T::call(Evaluate {
+        problem,
+        kinematics,
+        curvatures,
+        system,
+        contacts,
+        point_base,
+        curvature_base,
+        point_target,
+        curvature_target,
+        places: true,
+    })
+}
+
+/// Evaluates the accepted state again, with other springs.
+#[inline(always)]
+pub(super) fn evaluate_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
+    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
+    let contacts = &it.contacts;
+    T::call(Evaluate {
+        problem,
+        kinematics,
+        curvatures,
+        system,
+        contacts,
+        point_base,
+        curvature_base,
+        point_target,
+        curvature_target,
+        places: false,
+    })
 }
 
 /// Evaluates the trial state.
 #[inline(always)]
 pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let Iterate { trial, system, point_base, curvature_base, point_target, curvature_target, trial_curvatures, .. } = it;
+    let contacts = &it.contacts;
     T::call(Evaluate {
         problem,
         kinematics: trial,
         curvatures: trial_curvatures,
         system,
+        contacts,
         point_base,
         curvature_base,
         point_target,
         curvature_target,
+        places: true,
     })
 }
 
-/// Updates the kinematics to curvatures, and evaluates the potential there.
+/// Evaluates the potential at curvatures; updates the kinematics to them where it `places` the strands.
 struct Evaluate<'a, T> {
     problem: &'a Problem<'a, T>,
     kinematics: &'a mut Kinematics<T>,
     curvatures: &'a [[T; 3]],
     system: &'a ChainSystem<T>,
+    contacts: &'a PointContacts<T>,
     point_base: &'a [Vec3<T>],
     curvature_base: &'a [[T; 3]],
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
+    places: bool,
 }
 
 impl<T: Lane> Kernel for Evaluate<'_, T> {
     type Output = (T, T);
     #[inline(always)]
     fn run(self) -> (T, T) {
-        self.kinematics.update(self.problem.root, self.problem.lengths, self.curvatures, self.problem.rule);
+        if self.places {
+            self.kinematics.update(self.problem.root, self.problem.lengths, self.curvatures, self.problem.rule);
+        }
         let half = T::splat(0.5);
         let mut value = T::zero();
         let mut lever = T::zero();
@@ -235,6 +282,11 @@ impl<T: Lane> Kernel for Evaluate<'_, T> {
             let square = off.norm_squared();
             value += half * stiffness * square;
             lever += stiffness * (square * point.position.norm_squared()).sqrt();
+            if let Some(normal) = self.system.normals.get(p) {
+                let off = normal.dot(point.position) - self.contacts.offsets[p];
+                value += half * self.contacts.along_normal(p, off) * off * off;
+                lever += self.contacts.planes[p] * (off * off * point.position.norm_squared()).sqrt();
+            }
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {
@@ -277,10 +329,12 @@ impl<T: Lane> Kernel for PlaceCompensation<'_, T> {
 #[inline(always)]
 pub fn forces<T: Lane>(it: &mut Iterate<T>) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
+    let contacts = &it.contacts;
     let (compensation, point_compensation) = (&it.compensation, &it.point_compensation);
     T::call(Forces {
         kinematics,
         system,
+        contacts,
         point_base,
         curvature_base,
         point_target,
@@ -294,6 +348,7 @@ pub fn forces<T: Lane>(it: &mut Iterate<T>) {
 struct Forces<'a, T> {
     kinematics: &'a Kinematics<T>,
     system: &'a mut ChainSystem<T>,
+    contacts: &'a PointContacts<T>,
     point_base: &'a [Vec3<T>],
     curvature_base: &'a [[T; 3]],
     point_target: &'a [Vec3<T>],
@@ -314,6 +369,14 @@ impl<T: Lane> Kernel for Forces<'_, T> {
             }
             let off = self.point_target[p] - moved;
             self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
+            if let Some(normal) = self.system.normals.get(p) {
+                let mut at = point.position;
+                if T::PRECISION == Precision::F32 {
+                    at += self.point_compensation[p];
+                }
+                let off = normal.dot(at) - self.contacts.offsets[p];
+                self.system.point_force[p] -= normal.scale(self.contacts.along_normal(p, off) * off);
+            }
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {

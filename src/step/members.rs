@@ -5,6 +5,7 @@
 //! a rounded part and a remainder, so that small changes add up over many steps.
 
 use super::options::Integrator;
+use super::point_contacts::{PointContact, PointContactOptions, Surfaces};
 use super::state::{StrandState, rotation_matrix};
 use super::target_lanes::TargetLanes;
 use super::{Surroundings, stages};
@@ -28,19 +29,31 @@ pub trait Pack {
     fn root_at(&self, lane: usize, seconds: f64) -> Frame;
     /// What draws a strand, if anything does.
     fn target(&self, lane: usize) -> Option<TargetAt<'_>>;
+    /// How bodies meet the strands at their points, if they do; the same for all of them.
+    fn point_contact(&self) -> Option<PointContactOptions> {
+        None
+    }
+    /// Calls `ask` with the surfaces that a strand may touch.
+    fn with_surfaces(&self, _lane: usize, _ask: &mut dyn FnMut(&dyn Surfaces)) {}
+    /// Takes down the contacts of a strand at the end of its step, from root to tip, and last how deep it is in bodies, m (below zero for
+    /// outside).
+    fn take_contact(&mut self, _lane: usize, _contact: &PointContact) {}
+    /// See [`Pack::take_contact`].
+    fn take_depth(&mut self, _lane: usize, _depth: f64) {}
 }
 
 /// The pack key: what strands must share to step side by side, as one number. It holds the number of elements, the quadrature
-/// rule, the free curvatures, the active terms (drag, internal friction along each axis, a target), and whether the step uses the
-/// history.
+/// rule, the free curvatures, the active terms (drag, internal friction along each axis, a target, contact at points), and whether the
+/// step uses the history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct PackKey(u64);
 
 impl PackKey {
-    /// The key of a strand in a step of `h` seconds; `drawn`: whether a target draws it.
-    pub fn of(model: &StrandModel, state: &StrandState, drawn: bool, integrator: Integrator, h: f64) -> Self {
+    /// The key of a strand in a step of `h` seconds; `drawn`: whether a target draws it; `touches`: whether bodies may meet it at its points.
+    pub fn of(model: &StrandModel, state: &StrandState, [drawn, touches]: [bool; 2], integrator: Integrator, h: f64) -> Self {
         let history = integrator == Integrator::SecondOrder && stages::uses_history(state, h);
-        let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(history) << 1 | u64::from(drawn) << 5;
+        let mut terms =
+            u64::from(model.material.air_drag > 0.0) | u64::from(history) << 1 | u64::from(drawn) << 5 | u64::from(touches) << 6;
         for axis in 0..3 {
             terms |= u64::from(model.dissipation[axis] > 0.0) << (axis + 2);
         }
@@ -59,6 +72,20 @@ pub struct One<'a> {
     pub root_at: &'a dyn Fn(f64) -> Frame,
     /// What draws it.
     pub target: Option<TargetAt<'a>>,
+    /// What it may touch.
+    pub touches: Option<OneTouches<'a>>,
+}
+
+/// What a single strand may touch at its points, and where its contacts are taken down.
+pub struct OneTouches<'a> {
+    /// How contact is answered.
+    pub options: PointContactOptions,
+    /// The surfaces.
+    pub surfaces: &'a dyn Surfaces,
+    /// Its contacts at the end of the step.
+    pub contacts: &'a mut Vec<PointContact>,
+    /// How deep it is in bodies then, m.
+    pub depth: &'a mut f64,
 }
 
 impl Pack for One<'_> {
@@ -79,6 +106,24 @@ impl Pack for One<'_> {
     }
     fn target(&self, _lane: usize) -> Option<TargetAt<'_>> {
         self.target
+    }
+    fn point_contact(&self) -> Option<PointContactOptions> {
+        self.touches.as_ref().map(|touches| touches.options)
+    }
+    fn with_surfaces(&self, _lane: usize, ask: &mut dyn FnMut(&dyn Surfaces)) {
+        if let Some(touches) = &self.touches {
+            ask(touches.surfaces);
+        }
+    }
+    fn take_contact(&mut self, _lane: usize, contact: &PointContact) {
+        if let Some(touches) = &mut self.touches {
+            touches.contacts.push(*contact);
+        }
+    }
+    fn take_depth(&mut self, _lane: usize, depth: f64) {
+        if let Some(touches) = &mut self.touches {
+            *touches.depth = depth;
+        }
     }
 }
 

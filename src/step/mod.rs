@@ -19,6 +19,7 @@
 //! - `newton.rs`: Newton's iteration on a strand's incremental potential.
 //! - `options.rs`: Options of a step: integrator, linear solve, tolerances.
 //! - `packs.rs`: The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
+//! - `point_contacts.rs`: Contact at the quadrature points.
 //! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
 //! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //! - `regrid.rs`: Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away.
@@ -51,6 +52,7 @@ pub mod members;
 pub mod newton;
 pub mod options;
 pub mod packs;
+pub mod point_contacts;
 pub mod radau;
 pub mod reference;
 pub mod regrid;
@@ -163,7 +165,8 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch)
     if setting.options.integrator == Integrator::Reference {
         return take_reference(setting, one, h, scratch);
     }
-    let begin = one.state.subdivision.min(subdivision::levels(setting.options));
+    let levels = if one.touches.is_some() { 0 } else { subdivision::levels(setting.options) };
+    let begin = one.state.subdivision.min(levels);
     if begin > 0 {
         return take_in_substeps(setting, one, h, begin, scratch);
     }
@@ -174,8 +177,12 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch)
     finish(setting, one, h, &whole, scratch)
 }
 
-/// Finishes the step of a strand that tried it in one piece: in substeps if that failed.
+/// Finishes the step of a strand that tried it in one piece: in substeps if that failed. A strand that bodies may touch at its points takes
+/// none: what springs leave is left to the next step.
 pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut StepScratch) -> StrandOutcome {
+    if one.touches.is_some() {
+        return *whole;
+    }
     if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
         one.state.subdivision = 0;
         return *whole;
@@ -204,7 +211,7 @@ fn take_whole<T: Single>(
     rule: &mut RuleScratch,
 ) -> StrandOutcome {
     let outcome = T::attempt(one, setting, h, bench);
-    if subdivision::is_kept(setting.options, &outcome) {
+    if subdivision::is_kept(setting.options, &outcome) || one.touches.is_some() && !outcome.quarantined {
         keep(one, 0, setting, h, &bench.workspace, rule);
     }
     outcome
@@ -220,6 +227,7 @@ fn keep<T: Lane>(
     rule: &mut RuleScratch,
 ) {
     whole::save(members, lane, setting, h, workspace);
+    whole::give_contacts(members, lane, workspace);
     let (model, state) = members.parts(lane);
     state.adapt_rule(model, setting.rules, rule);
 }

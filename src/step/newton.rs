@@ -14,9 +14,10 @@
 
 use super::StrandOutcome;
 use super::damping::Damping;
-use super::iterate::{Iterate, Problem, forces, place_accepted, place_compensation, predict_tension};
+use super::iterate::{Iterate, Problem, evaluate_accepted, forces, place_accepted, place_compensation, predict_tension};
 use super::line_search::{self, LineSearch, Merit, lanes};
 use super::options::{LinearSolver, StepOptions};
+use super::point_contacts::{CONTACT_TOLERANCE, Touching};
 use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{Direction, LinearSolve};
@@ -53,7 +54,7 @@ pub fn minimise_one<T: Lane>(
 ) -> StrandOutcome {
     let mut outcomes = [StrandOutcome::default(); MAX_LANES];
     let start = place_accepted(problem, iterate);
-    minimise(problem, options, iterate, elimination, start, 1, &mut outcomes);
+    minimise(problem, options, None, iterate, elimination, start, 1, &mut outcomes);
     outcomes[0]
 }
 
@@ -69,11 +70,14 @@ pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
 
 /// Minimises the potentials given by `point_target`, `curvature_target` and the system's stiffnesses, for the lanes in `active`.
 /// Starts at `curvatures` (already evaluated; `start` is the potentials and their rounding errors) and ends with the minima
-/// there, and with `kinematics` and the system's forces at the minima. Lanes do not affect each other.
+/// there, and with `kinematics` and the system's forces at the minima. Lanes do not affect each other. `touching`: the strands that bodies may
+/// touch at their points, whose contacts are asked for in every iteration, and again where it has ended.
+#[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
 #[inline(always)]
 pub fn minimise<T: Lane, S: LinearSolve<T>>(
     problem: &Problem<T>,
     options: &StepOptions,
+    touching: Option<&Touching>,
     it: &mut Iterate<T>,
     solver: &mut S,
     start: (T, T),
@@ -92,6 +96,11 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     };
     let rounding = ROUNDING * T::PRECISION.constants().epsilon * (it.kinematics.elements.len() + 8) as f64;
     let mut running = active;
+    // Lanes that have converged if their contacts are still the same, and those that have any.
+    let (mut checking, mut pressed) = (0, 0);
+    if let Some(touching) = touching {
+        touching.begin(it);
+    }
     for lane in lanes(active) {
         outcomes[lane] = StrandOutcome::default();
         control.potential[lane] = Merit::of_lane(start, lane);
@@ -103,6 +112,22 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     for iteration in 1..=options.max_iterations {
         if running == 0 {
             break;
+        }
+        if let Some(touching) = touching {
+            let changed = touching.look(it, running, iteration == 1);
+            pressed = touching.with_contacts(it, running);
+            for lane in lanes(checking & !changed) {
+                outcomes[lane].converged = true;
+            }
+            running &= changed | !checking;
+            checking = 0;
+            if running == 0 {
+                break;
+            }
+            let potential = evaluate_accepted(problem, it);
+            for lane in lanes(running) {
+                control.potential[lane] = Merit::of_lane(potential, lane);
+            }
         }
         forces(it);
         let found = damped_direction(it, problem.axes, solver, &mut control, running);
@@ -139,11 +164,12 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
         std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
         place_compensation(it);
-        let mut to_check = 0;
+        let (mut to_check, mut ends) = (0, 0);
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
             let (from, next) = (control.potential[lane], next[lane]);
-            if S::DAMPED {
+            let is_pressed = pressed >> lane & 1 == 1;
+            if S::DAMPED && !is_pressed {
                 line_search::teach(damping, &found, lane, from, next);
             }
             control.potential[lane] = next;
@@ -152,21 +178,35 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             if T::PRECISION == Precision::F32 {
                 let stalled = control.before[lane].is_some_and(|before| rotation >= STALLED * before);
                 if newton && stalled && rotation <= ROUNDING_AT_MOST * rounding && outcome.residual > options.tolerance {
-                    (outcome.residual, outcome.converged) = (rotation, true);
-                    running &= !(1 << lane);
+                    outcome.residual = rotation;
+                    ends |= 1 << lane;
                     continue;
                 }
             }
-            if outcome.residual <= options.tolerance {
+            let tolerance = if is_pressed { options.tolerance.max(CONTACT_TOLERANCE) } else { options.tolerance };
+            if outcome.residual <= tolerance {
                 outcome.residual = outcome.residual.max(rounding);
-                if newton {
-                    outcome.converged = true;
-                    running &= !(1 << lane);
+                if newton || is_pressed {
+                    ends |= 1 << lane;
                 } else {
                     to_check |= 1 << lane;
                 }
             }
             control.before[lane] = newton.then_some(rotation);
+        }
+        match touching {
+            None => {
+                for lane in lanes(ends) {
+                    outcomes[lane].converged = true;
+                }
+                running &= !ends;
+            }
+            Some(touching) => {
+                checking = ends;
+                if iteration >= touching.options.max_iterations {
+                    running &= !pressed;
+                }
+            }
         }
         if running == 0 {
             break;
@@ -184,6 +224,13 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             }
         }
         it.system.exact = options.exact_hessian;
+    }
+    // Of these no iteration is left that could tell.
+    for lane in lanes(checking) {
+        outcomes[lane].converged = true;
+    }
+    if let Some(touching) = touching {
+        touching.measure(it, active);
     }
     forces(it);
 }

@@ -76,7 +76,8 @@ fn in_lanes<T: Lane>(
     let Bench { workspace, elimination } = &mut **bench.get_or_insert_default();
     let outcomes = T::call(Take { members, setting, h, workspace, solver: elimination });
     for lane in 0..members.count() {
-        if subdivision::is_kept(setting.options, &outcomes[lane]) {
+        let touches = members.point_contact().is_some() && !outcomes[lane].quarantined;
+        if touches || subdivision::is_kept(setting.options, &outcomes[lane]) {
             keep(members, lane, setting, h, workspace, rule);
         }
     }

@@ -85,7 +85,13 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
             // The best remaining choice: keep the strand as far as it came, and take a robust step over the rest.
             publish(state, &motion, &observed, root_at(end));
             let rest = |seconds: f64| root_at(end + seconds);
-            let last = implicit_euler(setting, &mut One { model, state, root_at: &rest, target: None }, h - end, bench, scratch);
+            let last = implicit_euler(
+                setting,
+                &mut One { model, state, root_at: &rest, target: None, touches: None },
+                h - end,
+                bench,
+                scratch,
+            );
             run.outcome.iterations += last.iterations;
             run.outcome.quarantined |= last.quarantined;
             return run.outcome;

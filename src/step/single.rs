@@ -16,8 +16,11 @@ pub trait Single: Lane {
 impl Single for f64 {
     fn attempt(one: &One, setting: &Setting, h: f64, bench: &mut Bench<f64>) -> StrandOutcome {
         match newton::dense_solver(setting.options.linear_solver) {
-            None => attempt(one, setting, h, bench),
-            Some(mut solver) => Take { members: one, setting, h, workspace: &mut bench.workspace, solver: &mut solver }.run()[0],
+            // (The dense solves know no contact.)
+            Some(mut solver) if one.touches.is_none() => {
+                Take { members: one, setting, h, workspace: &mut bench.workspace, solver: &mut solver }.run()[0]
+            }
+            _ => attempt(one, setting, h, bench),
         }
     }
 }

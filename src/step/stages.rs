@@ -14,6 +14,7 @@ use super::context::StepContext;
 use super::iterate::{Iterate, Problem, choose_start};
 use super::members::{self, Loaded, Pack, Reads};
 use super::newton;
+use super::point_contacts::Touching;
 use super::state::StrandState;
 use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
@@ -129,6 +130,9 @@ pub(super) fn start_euler<T: Lane>(members: &dyn Pack, setting: &Setting, h: f64
 pub fn two_step<T: Lane, S: LinearSolve<T>>(context: &mut StepContext<'_, T, S>) {
     if uses_history(context.members.state(0), context.h) {
         backward_difference(context);
+    } else if context.members.point_contact().is_some() {
+        // What a surface has stopped shall not be thrown back by what was before.
+        take(&tableau::IMPLICIT_EULER, context);
     } else {
         take(&tableau::TWO_STAGES, context);
     }
@@ -170,6 +174,8 @@ fn solve_stage<T: Lane, S: LinearSolve<T>>(times: StageTimes<T>, seconds: f64, c
     workspace.last_stage = times.index;
     T::call(SolveStage {
         times,
+        h: context.h,
+        members,
         setting,
         rule,
         freedoms,
@@ -186,6 +192,8 @@ fn solve_stage<T: Lane, S: LinearSolve<T>>(times: StageTimes<T>, seconds: f64, c
 /// Assembles, starts and minimises one stage.
 struct SolveStage<'a, T, S> {
     times: StageTimes<T>,
+    h: f64,
+    members: &'a dyn Pack,
     setting: &'a Setting<'a>,
     rule: &'a Rule,
     freedoms: Freedoms,
@@ -201,9 +209,9 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { times, setting, rule, freedoms, rotation, offset, workspace, solver, active, total } = self;
+        let Self { times, h, members, setting, rule, freedoms, rotation, offset, workspace, solver, active, total } = self;
         let (axes, free) = (freedoms.axes(), freedoms.count());
-        let Workspace { loaded, iterate, stages, .. } = workspace;
+        let Workspace { loaded, iterate, stages, roots, .. } = workspace;
         let (before, stage) = stages.split_at_mut(times.index);
         let stage = &mut stage[0];
         let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
@@ -211,7 +219,8 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
         lead(times.span, freedoms, loaded, before.last(), iterate);
         let start = choose_start(&problem, iterate, before.is_empty().then_some(&loaded.rotation));
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
-        newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
+        let touching = members.point_contact().map(|options| Touching { members, options, rule, units: &loaded.units, roots });
+        newton::minimise(&problem, setting.options, touching.as_ref(), iterate, solver, start, active, &mut outcomes);
         for (total, outcome) in total.iter_mut().zip(&outcomes).take(loaded.count) {
             total.iterations += outcome.iterations;
             total.converged &= outcome.converged;
@@ -220,6 +229,9 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
             total.quarantined |= outcome.quarantined;
         }
         finish_stage(times.k, offset, problem.axes, iterate, stage);
+        if let Some(touching) = &touching {
+            touching.correct_velocities(iterate, h, active, &mut stage.velocities);
+        }
     }
 }
 

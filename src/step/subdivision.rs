@@ -45,7 +45,7 @@ pub fn in_substeps<T: Single>(
         let part_root = |seconds: f64| root_at(from + seconds);
         let length = h * (f64::from(part) / f64::from(ticks));
         let target = one.target.map(|target| TargetAt { from: target.from + from, ..target });
-        let mut one_part = One { model: one.model, state: &mut *one.state, root_at: &part_root, target };
+        let mut one_part = One { model: one.model, state: &mut *one.state, root_at: &part_root, target, touches: None };
         let outcome = T::attempt(&one_part, setting, length, bench);
         total.iterations += outcome.iterations;
         let served = serves(options, &outcome);

@@ -3,6 +3,7 @@
 use super::context::StepContext;
 use super::members::{self, Pack};
 use super::options::Integrator;
+use super::point_contacts::Touching;
 use super::root_velocity::root_velocity;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome, linearly_implicit, stages, tableau};
@@ -33,16 +34,18 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
         let Self { members, setting, h, workspace, solver } = self;
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         let mut context = StepContext { members, setting, h, workspace: &mut *workspace, solver, outcomes: &mut outcomes };
+        let touches = members.point_contact().is_some();
         match setting.options.integrator {
-            Integrator::LinearlyImplicit => linearly_implicit::take(&mut context),
+            Integrator::LinearlyImplicit if !touches => linearly_implicit::take(&mut context),
             Integrator::SecondOrder => stages::two_step(&mut context),
-            Integrator::ImplicitEuler | Integrator::Reference => stages::take(&tableau::IMPLICIT_EULER, &mut context),
+            _ => stages::take(&tableau::IMPLICIT_EULER, &mut context),
         }
-        if setting.options.integrator != Integrator::LinearlyImplicit {
+        if touches || setting.options.integrator != Integrator::LinearlyImplicit {
             let (force, torque) = super::iterate::wrench(&workspace.iterate.kinematics, &workspace.iterate.system.point_force);
             (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
             measure_roots(members, h, workspace);
         }
+        list_contacts(members, setting, workspace);
         energies(members, setting, workspace, &mut outcomes);
         let finiteness = finiteness(workspace);
         for lane in 0..workspace.loaded.count {
@@ -119,6 +122,35 @@ pub(super) fn energies<T: Lane>(
 pub fn measure_roots<T: Lane>(members: &dyn Pack, h: f64, workspace: &mut Workspace<T>) {
     for lane in 0..workspace.loaded.count {
         workspace.root_velocities[lane] = root_velocity(&members.state(lane).root, &workspace.roots[lane], h);
+    }
+}
+
+/// Gives a strand whose step is saved its contacts. The step after one with contact has no history: its formula would throw back what a
+/// surface has stopped.
+pub fn give_contacts<T: Lane>(members: &mut dyn Pack, lane: usize, workspace: &Workspace<T>) {
+    if members.point_contact().is_none() {
+        return;
+    }
+    let mut touches = false;
+    for (_, contact) in workspace.point_contacts.iter().filter(|(of, _)| *of == lane) {
+        members.take_contact(lane, contact);
+        touches = true;
+    }
+    if touches {
+        members.parts(lane).1.history.step = 0.0;
+    }
+    members.take_depth(lane, workspace.iterate.contacts.depth[lane]);
+}
+
+/// Lists the contacts of the pack's strands at the end of the step.
+fn list_contacts<T: Lane>(members: &dyn Pack, setting: &Setting, workspace: &mut Workspace<T>) {
+    workspace.point_contacts.clear();
+    let Some(options) = members.point_contact() else { return };
+    let Workspace { loaded, iterate, roots, point_contacts, .. } = workspace;
+    let rule = setting.rules.rule(members.state(0).rule);
+    let touching = Touching { members, options, rule, units: &loaded.units, roots };
+    for lane in 0..loaded.count {
+        touching.for_each_contact(iterate, lane, |contact| point_contacts.push((lane, contact)));
     }
 }
 

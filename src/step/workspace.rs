@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::iterate::Iterate;
 use super::members::Loaded;
+use super::point_contacts::PointContact;
 use super::tableau::MAX_STAGES;
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES};
@@ -73,6 +74,8 @@ pub struct Workspace<T> {
     pub roots: [Frame; MAX_LANES],
     /// The roots' mean velocities over the step, m/s and rad/s, world axes.
     pub root_velocities: [(Vector3<f64>, Vector3<f64>); MAX_LANES],
+    /// Contacts at the end of the step, with their lanes.
+    pub point_contacts: Vec<(usize, PointContact)>,
     /// Force on the follicles.
     pub wrench_force: Vec3<T>,
     /// Torque on the follicles about their origins.
@@ -91,6 +94,7 @@ impl<T: Lane> Default for Workspace<T> {
             last_stage: 0,
             roots: [Frame::default(); MAX_LANES],
             root_velocities: [(Vector3::zeros(), Vector3::zeros()); MAX_LANES],
+            point_contacts: Vec::new(),
             wrench_force: Vec3::zero(),
             wrench_torque: Vec3::zero(),
         }

@@ -82,11 +82,14 @@ static void bodies(void) {
   const shx_strand_id strand = add_strand(solver, 0);
   shx_contact_options options;
   EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK && options.model == SHX_CONTACT_COULOMB);
-  options.model = 4; /* one more than there are */
+  options.model = 5; /* one more than there are */
   EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_ERROR_INVALID_ARGUMENT);
   options.model = SHX_CONTACT_REGULARISED_PENALTY;
   EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
   EXPECT(shx_solver_get_contact_options(solver, &options) == SHX_OK && options.model == SHX_CONTACT_REGULARISED_PENALTY);
+  options.model = SHX_CONTACT_AT_POINTS;
+  EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
+  EXPECT(shx_solver_get_contact_options(solver, &options) == SHX_OK && options.model == SHX_CONTACT_AT_POINTS);
   options.model = SHX_CONTACT_COULOMB;
   EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
   memset(&options, 0, sizeof options);

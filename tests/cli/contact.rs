@@ -37,7 +37,7 @@ fn last(series: &Value) -> &Value {
 
 #[test]
 fn contacts_bear_the_weight_and_act_on_the_collider_as_well() {
-    for model in ["penalty", "regularised", "hard", "coulomb"] {
+    for model in ["penalty", "regularised", "at_points", "hard", "coulomb"] {
         let scene = with(scene_of(json!([lying()]), 1.0), "/colliders", json!([{"shape": "halfspace"}]));
         let scene = with(scene, "/contact", json!({"model": model}));
         let result = run(&directory(&format!("weight_{model}")), &scene);

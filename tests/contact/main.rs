@@ -1,5 +1,6 @@
 //! Contact of strands with bodies and with each other: detection, laws, solver, whole scenes.
 
+mod at_points;
 mod comb_through_rooted_hair;
 mod contact_space_solver;
 mod crowded_scene;

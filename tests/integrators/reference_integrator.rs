@@ -62,7 +62,7 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
             let root_at = |elapsed: f64| case.root.map_or(def.root, |root| root.at(from + elapsed));
             let outcome = step::take(
                 &setting,
-                &mut One { model: &model, state: &mut state, root_at: &root_at, target: None },
+                &mut One { model: &model, state: &mut state, root_at: &root_at, target: None, touches: None },
                 h,
                 &mut scratch,
             );

@@ -196,16 +196,27 @@ impl DistanceGrid {
     /// The interpolated distance, m; `within` where the nearest node tells that it is no less; outside the grid what is surely there. `slope` bounds the
     /// field's.
     pub(super) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
+        if self.by_node(&point, slope).is_some_and(|at_least| at_least >= within) {
+            return within;
+        }
+        self.closest(point).map_or_else(|| self.clearance(&point), |surface| surface.distance)
+    }
+
+    /// A distance that the surface surely has from a point, m, by the nearest node alone. `slope` bounds the field's.
+    pub(in crate::contact) fn at_least(&self, point: &Vector3<f64>, slope: f64) -> f64 {
+        self.by_node(point, slope).unwrap_or_else(|| self.clearance(point))
+    }
+
+    /// The same; None outside the grid.
+    fn by_node(&self, point: &Vector3<f64>, slope: f64) -> Option<f64> {
         let place = (point - self.low) / self.cell;
-        if (0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= f64::from(self.counts[axis] - 1)) {
+        let is_inside = (0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= f64::from(self.counts[axis] - 1));
+        is_inside.then(|| {
             let [i, j, k] = [0, 1, 2].map(|axis| (place[axis] + 0.5) as usize);
             let nearest = Vector3::new(i as f64, j as f64, k as f64);
             let node = self.values[(k * self.counts[1] as usize + j) * self.counts[0] as usize + i];
-            if f64::from(node) - slope * self.cell * (place - nearest).norm() >= within {
-                return within;
-            }
-        }
-        self.closest(point).map_or_else(|| self.clearance(&point), |surface| surface.distance)
+            f64::from(node) - slope * self.cell * (place - nearest).norm()
+        })
     }
 
     /// A distance that the surface surely has from a point outside the grid, m.

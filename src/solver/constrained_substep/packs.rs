@@ -83,8 +83,13 @@ impl Packs {
         for (place, (strand, constrained)) in super::ConstrainedSubstep::pairs(scene.strands, constrained).enumerate() {
             if begins(constrained) {
                 strand.begin_moves(h);
-                let kind =
-                    PackKey::of(&strand.model, &strand.state, drawn_by(&strand.target).is_some(), setting.options.integrator, h);
+                let kind = PackKey::of(
+                    &strand.model,
+                    &strand.state,
+                    [drawn_by(&strand.target).is_some(), false],
+                    setting.options.integrator,
+                    h,
+                );
                 self.order.push((constrained.first_order, kind, strand.last.iterations, place as u32));
             }
         }

@@ -141,7 +141,7 @@ impl NearStrand {
         let before = (strand.state.root.origin, &elements[..]);
         let start = state.root;
         let root_at = |elapsed: f64| root_after(&strand.root_move, &start, elapsed);
-        let one = One { model: &strand.model, state, root_at: &root_at, target: drawn_by(&strand.target) };
+        let one = One { model: &strand.model, state, root_at: &root_at, target: drawn_by(&strand.target), touches: None };
         alone.begin(&one, setting, seconds, true);
         alone.linearise(material_points, forces);
         // (The first linear model has no tension.)

@@ -1001,7 +1001,8 @@ struct contact_options : shx_contact_options {
     return *this;
   }
 
-  // SHX_CONTACT_COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5.
+  // SHX_CONTACT_COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5. SHX_CONTACT_AT_POINTS: friction grows with
+  // the penetration up to twice this.
   contact_options &with_tolerance(double value) {
     tolerance = value;
     return *this;

@@ -715,7 +715,10 @@ class ContactOptions(Record):
     regularisation_depth = FloatField(
         "ContactModel.REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4."
     )
-    tolerance = FloatField("ContactModel.COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5.")
+    tolerance = FloatField(
+        "ContactModel.COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5. ContactModel.AT_POINTS: "
+        "friction grows with the penetration up to twice this."
+    )
     residual = FloatField(
         "ContactModel.COULOMB: allowed error of the contact and friction laws in a converged step, 1e-12 to 1. At every contact "
         "the laws hold exactly for some force within residual times the actual force (or times the weight of the lightest "

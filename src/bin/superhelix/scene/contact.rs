@@ -9,9 +9,10 @@ use super::maps::MappedContact;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// The models by their names in a scene and on the command line.
-pub const MODELS: [(&str, ContactModel); 4] = [
+pub const MODELS: [(&str, ContactModel); 5] = [
     ("penalty", ContactModel::Penalty),
     ("regularised", ContactModel::RegularisedPenalty),
+    ("at_points", ContactModel::AtPoints),
     ("hard", ContactModel::Coulomb),
     ("coulomb", ContactModel::Coulomb),
 ];

@@ -35,7 +35,7 @@ pub struct BodyArguments {
     /// How far behind the faces of an open mesh hair is still pushed to the front, m: of a mesh that is not made a grid. Default: 0.02.
     #[arg(long, value_name = "METRES", requires = "body", value_parser = positive)]
     body_depth: Option<f64>,
-    /// How touches are answered: penalty, regularised or coulomb (docs/reference/scene_format.md). Default: coulomb.
+    /// How touches are answered: penalty, regularised, at_points or coulomb (docs/reference/scene_format.md). Default: coulomb.
     #[arg(long, value_name = "MODEL", value_parser = model)]
     contact: Option<ContactModel>,
     /// Strands touch each other: the radius of the wisp that each stands for, m.

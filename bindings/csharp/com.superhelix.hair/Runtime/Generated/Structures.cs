@@ -595,7 +595,10 @@ namespace Superhelix
     public double Damping;
     /// <summary>SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.</summary>
     public double RegularisationDepth;
-    /// <summary>SHX_CONTACT_COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5.</summary>
+    /// <summary>
+    /// SHX_CONTACT_COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5. SHX_CONTACT_AT_POINTS: friction grows
+    /// with the penetration up to twice this.
+    /// </summary>
     public double Tolerance;
     /// <summary>
     /// SHX_CONTACT_COULOMB: allowed error of the contact and friction laws in a converged step, 1e-12 to 1. At every contact the laws hold

@@ -1,0 +1,93 @@
+//! The surfaces of bodies that a strand's quadrature points may touch, for contact at points (`step/point_contacts.rs`).
+
+use nalgebra::Vector3;
+
+use super::body::BodyAt;
+use super::options::StrandContact;
+use super::permitted_overlap::PermittedOverlap;
+use super::shape::Surface;
+use crate::math::vector::Vec3;
+use crate::step::point_contacts::{SurfaceAtPoint, Surfaces};
+
+/// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
+const REACH: f64 = 5e-3;
+/// A surface that is farther than this from a point need not be known, m.
+const NEAR: f64 = 2e-3;
+/// How far the other shapes are asked, m.
+const FAR: f64 = 0.1;
+
+/// What a strand may touch.
+#[derive(Debug, Clone, Copy)]
+pub struct StrandSurfaces<'a> {
+    /// All bodies of the scene.
+    pub bodies: &'a [BodyAt<'a>],
+    /// Indices of those that it may come near.
+    pub near: &'a [u32],
+    /// Its contact properties.
+    pub contact: &'a StrandContact,
+    /// Its permitted overlap.
+    pub permitted_overlap: Option<&'a PermittedOverlap>,
+}
+
+impl StrandSurfaces<'_> {
+    /// The depth in a body that counts for none at an arclength, m.
+    fn permitted(&self, arclength: f64) -> f64 {
+        self.permitted_overlap.map_or(0.0, |permitted| permitted.sunk(arclength))
+    }
+}
+
+impl Surfaces for StrandSurfaces<'_> {
+    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<SurfaceAtPoint, f64> {
+        if arclength < self.contact.exempt_length {
+            // How near a surface is here says nothing of the points that take part.
+            return Err(0.0);
+        }
+        let (radius, at) = (self.contact.radius, Vector3::from(now));
+        let mut nearest: Result<(f64, &BodyAt, Surface), f64> = Err(FAR);
+        for index in self.near {
+            let body = &self.bodies[*index as usize];
+            let margin = radius + body.thickness;
+            let least = nearest.as_ref().map_or_else(|far| *far, |(gap, ..)| *gap);
+            let away = body.bounds.distance(&at) - margin;
+            if away > least {
+                continue;
+            }
+            let mut far = away.max(body.at_least_at_end(at) - margin);
+            if far < NEAR {
+                let is_mesh = body.shape.mesh().is_some();
+                let within = if is_mesh { margin + REACH } else { FAR };
+                match body.closest_at_end(at, within) {
+                    Some(surface) if surface.distance - margin < least => {
+                        nearest = Ok((surface.distance - margin, body, surface));
+                        continue;
+                    }
+                    Some(_) => continue,
+                    None if is_mesh => far = far.max(REACH),
+                    None => far = far.max(body.distance_at_end(at, within) - margin),
+                }
+            }
+            if let Err(least) = &mut nearest {
+                *least = least.min(far);
+            }
+        }
+        let (gap, body, surface) = nearest?;
+        let permitted = self.permitted(arclength);
+        Ok(SurfaceAtPoint {
+            body: body.index,
+            feature: surface.feature,
+            gap: gap + permitted,
+            permitted,
+            normal: body.to_world(&surface.normal).into(),
+            carried: body.carried(&surface).into(),
+            along: self.contact.friction.along * body.friction,
+            against: self.contact.friction.against * body.friction,
+        })
+    }
+
+    fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64 {
+        let body = &self.bodies[body as usize];
+        let margin = self.contact.radius + body.thickness;
+        let surface = body.closest_at_start(start.into(), margin + REACH);
+        surface.map_or(0.0, |surface| margin - surface.distance - self.permitted(arclength))
+    }
+}

@@ -1,0 +1,521 @@
+//! Contact at the quadrature points: the points that a body presses get springs for the step, one along the surface's normal and
+//! one along the surface, so that contact is part of a strand's own minimisation and packs take it side by side.
+//!
+//! Symbols: g is the gap of a point's surface from the body's, n the normal there, S the stiffness that a point has from its inertia
+//! in the step and from bending, k = [`STIFFNESS`] S. The potential gains ½ k g² where g < 0, by the tangent plane of the last iterate, and ½ c |slip|²
+//! for friction, with the lagged coefficient c = μN / max(|slip|, μN/c₁) of regularised Coulomb friction (Kačanov's iteration) and c₁ =
+//! [`STICKING`] k, at which a point sticks. N is the force at the last iterate. Surfaces are asked for in every iteration; Newton's
+//! method on such a potential is semismooth (Hintermüller, Ito and Kunisch 2002).
+
+use super::iterate::Iterate;
+use super::line_search::lanes;
+use super::members::{Pack, Units};
+use crate::math::frame::Frame;
+use crate::math::lane::{Lane, MAX_LANES, Precision};
+use crate::math::quadrature::Rule;
+use crate::math::vector::Vec3;
+
+/// Surfaces this near may touch a point that lay on them when the step began, m.
+const NEAR: f64 = 1e-3;
+
+/// The most that a gap changes over a distance, see `Shape::distance_slope`.
+const SLOPE: f64 = 1.25;
+
+/// How far a strand with contacts may be from convergence, rad: surfaces that give way deserve no more.
+pub(super) const CONTACT_TOLERANCE: f64 = 2e-3;
+
+/// k/S: surfaces sink into each other by a hundredth of the way that the force would take the point in the step. Much stiffer springs
+/// take more iterations, since points go along arcs and surfaces are planes.
+const STIFFNESS: f64 = 100.0;
+
+/// c₁/k. A point that sticks creeps by its force over c₁ in a step.
+const STICKING: f64 = 100.0;
+
+/// The contacts of a strand have settled when their forces differ from the law by no more than what takes a point this far in the step, m.
+const SETTLED: f64 = 5e-3;
+
+/// How contact at points is answered.
+#[derive(Debug, Clone, Copy)]
+pub struct PointContactOptions {
+    /// How far surfaces that overlap when the step begins come apart in it, m.
+    pub separation: f64,
+    /// Friction grows with the overlap down to this depth, m: what is deeper has come in by other ways than by its weight, and must come
+    /// out.
+    pub holding_depth: f64,
+    /// The limit of iterations of a strand with contacts.
+    pub max_iterations: u32,
+}
+
+/// A body's surface at a point of a strand.
+#[derive(Debug, Clone, Copy)]
+pub struct SurfaceAtPoint {
+    /// The body's index in the scene, and its triangle.
+    pub body: u32,
+    /// See `body`.
+    pub feature: u32,
+    /// From the body's surface to the strand's, m; negative where they overlap by more than is permitted.
+    pub gap: f64,
+    /// The overlap that is permitted there, m.
+    pub permitted: f64,
+    /// Unit, from the body to the strand.
+    pub normal: Vec3<f64>,
+    /// Displacement of the surface during the step, m.
+    pub carried: Vec3<f64>,
+    /// Coefficients of friction, see [`crate::contact::options::Friction`].
+    pub along: f64,
+    /// See `along`.
+    pub against: f64,
+}
+
+/// The surfaces that a strand's points may touch, at the end of a step.
+pub trait Surfaces {
+    /// The nearest surface at a point `arclength` from the root whose place is `now`, or, where none is near, a distance that
+    /// they all have at least, m.
+    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<SurfaceAtPoint, f64>;
+    /// How deep the point, at `start` then, was in the body when the step began, m; zero or less for outside.
+    fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
+}
+
+/// A contact at the end of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct PointContact {
+    /// Arclength from the root, m.
+    pub arclength: f64,
+    /// Its place, m, world.
+    pub position: Vec3<f64>,
+    /// The surface, with the gap at the end.
+    pub surface: SurfaceAtPoint,
+    /// Force on the strand, N.
+    pub force: Vec3<f64>,
+    /// Slip along the surface during the step, m.
+    pub slip: Vec3<f64>,
+}
+
+/// What is known of a point of one lane.
+#[derive(Debug, Clone, Copy)]
+struct Known {
+    /// Where it was last looked at, m, world.
+    at: Vec3<f64>,
+    /// Its gap there, or less, m.
+    gap: f64,
+    /// The gap that its spring leaves, m: zero, or below where the surfaces overlapped when the step began.
+    rest: f64,
+    /// Its depth when the step began, m, as far as surfaces that overlap then come apart; `None` until it is asked for.
+    start_depth: Option<f64>,
+    /// The surface that is near.
+    surface: Option<SurfaceAtPoint>,
+    /// Whether it presses.
+    presses: bool,
+}
+
+impl Known {
+    const NOTHING: Self =
+        Self { at: Vec3([0.0; 3]), gap: f64::NEG_INFINITY, rest: 0.0, start_depth: None, surface: None, presses: false };
+}
+
+/// The springs of contact, with what is known of every point.
+#[derive(Debug, Clone)]
+pub struct PointContacts<T> {
+    /// n·r where a point's normal spring rests; r relative to the root's origin at the end of the step.
+    pub offsets: Vec<T>,
+    /// k of the points with a surface near them; zero for others.
+    pub planes: Vec<T>,
+    /// Stiffness c of friction, and where it holds a point, relative to the root's origin at the end of the step.
+    friction: Vec<T>,
+    anchors: Vec<Vec3<T>>,
+    /// Stiffnesses and targets of the points without contact.
+    free_stiffness: Vec<T>,
+    free_target: Vec<Vec3<T>>,
+    /// By point and lane.
+    known: Vec<Known>,
+    /// Memory for the points of a lane that are asked.
+    asked: Vec<Asked>,
+    /// The deepest overlap at the end, by lane, m; below zero for none.
+    pub depth: [f64; MAX_LANES],
+}
+
+impl<T> Default for PointContacts<T> {
+    fn default() -> Self {
+        Self {
+            offsets: Vec::new(),
+            planes: Vec::new(),
+            friction: Vec::new(),
+            anchors: Vec::new(),
+            free_stiffness: Vec::new(),
+            free_target: Vec::new(),
+            known: Vec::new(),
+            asked: Vec::new(),
+            depth: [f64::NEG_INFINITY; MAX_LANES],
+        }
+    }
+}
+
+/// The strands of a pack that bodies may touch, while their step is minimised.
+pub struct Touching<'a> {
+    /// The strands.
+    pub members: &'a dyn Pack,
+    /// How contact is answered.
+    pub options: PointContactOptions,
+    /// Their quadrature rule.
+    pub rule: &'a Rule,
+    /// Their units.
+    pub units: &'a [Units; MAX_LANES],
+    /// The poses of their roots at the end of the step.
+    pub roots: &'a [Frame; MAX_LANES],
+}
+
+/// Where the points of a lane are.
+struct Places {
+    unit: f64,
+    start: Vec3<f64>,
+    end: Vec3<f64>,
+}
+
+impl Places {
+    #[inline(always)]
+    fn of(touching: &Touching, lane: usize) -> Self {
+        let (start, end) = (touching.members.state(lane).root.origin, touching.roots[lane].origin);
+        Self { unit: touching.units[lane].length, start: start.into(), end: end.into() }
+    }
+
+    /// At the start of the step and now, world.
+    #[inline(always)]
+    fn point<T: Lane>(&self, it: &Iterate<T>, p: usize, lane: usize) -> [Vec3<f64>; 2] {
+        let lane_of = |vector: &Vec3<T>| super::members::lane_of(vector, lane, self.unit);
+        let mut now = lane_of(&it.kinematics.points[p].position);
+        if T::PRECISION == Precision::F32 {
+            now += lane_of(&it.point_compensation[p]);
+        }
+        [self.start + lane_of(&it.point_base[p]), self.end + now]
+    }
+}
+
+/// A point of which a surface was asked.
+#[derive(Debug, Clone)]
+struct Asked {
+    p: usize,
+    arclength: f64,
+    /// At the start of the step and now.
+    places: [Vec3<f64>; 2],
+    known: Known,
+    next: Known,
+}
+
+/// Two points next to each other that surfaces push against each other lie on the two sides of something thin, which the strand pierces. No
+/// force along the strand brings it out.
+fn leave_pierced(asked: &mut [Asked]) {
+    let normal = |of: &Asked| of.next.surface.filter(|_| of.next.presses).map(|surface| surface.normal);
+    let opposed = |pair: &[Asked]| {
+        let (Some(a), Some(b)) = (normal(&pair[0]), normal(&pair[1])) else { return false };
+        pair[1].p == pair[0].p + 1 && a.dot(b) < 0.0
+    };
+    let mut was = false;
+    for k in 0..asked.len() {
+        let is = k + 1 < asked.len() && opposed(&asked[k..k + 2]);
+        if was || is {
+            let next = &mut asked[k].next;
+            (next.presses, next.surface) = (false, None);
+        }
+        was = is;
+    }
+}
+
+impl<T: Lane> PointContacts<T> {
+    /// Stiffness along the normal of a point that is `off` above where its spring rests, beside that of its friction, which acts along
+    /// the surface alone.
+    #[inline(always)]
+    pub(super) fn along_normal(&self, p: usize, off: T) -> T {
+        T::select(off.less(T::zero()), self.planes[p], T::zero()) - self.friction[p]
+    }
+}
+
+impl Touching<'_> {
+    /// Begins a step: nothing presses yet.
+    pub fn begin<T: Lane>(&self, it: &mut Iterate<T>) {
+        let points = it.point_base.len();
+        let contacts = &mut it.contacts;
+        contacts.offsets.clear();
+        contacts.offsets.resize(points, T::zero());
+        contacts.planes.clear();
+        contacts.planes.resize(points, T::zero());
+        contacts.friction.clear();
+        contacts.friction.resize(points, T::zero());
+        contacts.anchors.clear();
+        contacts.anchors.resize(points, Vec3::zero());
+        contacts.free_stiffness.clone_from(&it.system.point_stiffness);
+        contacts.free_target.clone_from(&it.point_target);
+        contacts.known.clear();
+        contacts.known.resize(points * T::LANES, Known::NOTHING);
+        contacts.depth = [f64::NEG_INFINITY; MAX_LANES];
+        it.system.normals.clear();
+        it.system.normals.resize(points, Vec3::zero());
+        it.system.normal_stiffness.clear();
+        it.system.normal_stiffness.resize(points, T::zero());
+    }
+
+    /// Asks of `running` lanes which of their points press at the accepted iterate, and sets their springs. Returns the lanes whose
+    /// contacts are others than their last iteration had, by more than the tolerance.
+    pub fn look<T: Lane>(&self, it: &mut Iterate<T>, running: u32, is_first: bool) -> u32 {
+        let mut changed = 0;
+        let mut has_set = false;
+        for lane in lanes(running) {
+            let mut uncovered = 0.0_f64;
+            self.members.with_surfaces(lane, &mut |surfaces| {
+                uncovered = self.look_at(it, lane, surfaces, is_first, &mut has_set);
+            });
+            changed |= u32::from(uncovered > SETTLED) << lane;
+        }
+        if has_set {
+            self.add_friction(it);
+        }
+        changed
+    }
+
+    /// The springs of a lane. Returns how far the potential that they make is from the law, as the largest distance over which a
+    /// point's inertia yields to the difference, m.
+    fn look_at<T: Lane>(
+        &self,
+        it: &mut Iterate<T>,
+        lane: usize,
+        surfaces: &dyn Surfaces,
+        is_first: bool,
+        has_set: &mut bool,
+    ) -> f64 {
+        let places = Places::of(self, lane);
+        let margin = if is_first { NEAR } else { 0.0 };
+        let mut uncovered = 0.0_f64;
+        let mut last: Option<(Vec3<f64>, f64)> = None;
+        let mut asked = std::mem::take(&mut it.contacts.asked);
+        asked.clear();
+        for (p, arclength) in self.arclengths(lane).enumerate() {
+            let known = it.contacts.known[p * T::LANES + lane];
+            let [start, now] = places.point(it, p, lane);
+            if !known.presses {
+                let at_least = known.gap - SLOPE * (now - known.at).norm_squared().sqrt();
+                let by_neighbour = last.map_or(f64::NEG_INFINITY, |(at, gap)| gap - SLOPE * (now - at).norm_squared().sqrt());
+                if at_least > margin {
+                    last = Some((now, at_least));
+                    continue;
+                }
+                if by_neighbour > margin {
+                    last = Some((now, by_neighbour));
+                    it.contacts.known[p * T::LANES + lane] = Known { at: now, gap: by_neighbour, ..known };
+                    continue;
+                }
+            }
+            let mut next = Known { at: now, presses: false, surface: None, ..known };
+            let mut permitted = 0.0;
+            match surfaces.nearest(arclength, now) {
+                Err(at_least) => next.gap = at_least,
+                Ok(surface) => {
+                    (next.gap, permitted) = (surface.gap, surface.permitted);
+                    if surface.gap < NEAR {
+                        next.surface = Some(surface);
+                        if next.start_depth.is_none() {
+                            let depth = surfaces.depth_at_start(arclength, surface.body, start).max(0.0);
+                            next.rest = -(depth - self.options.separation).max(0.0);
+                            next.start_depth = Some(depth.min(self.options.separation));
+                        }
+                    }
+                    let lay_on_it = is_first && next.start_depth.is_some_and(|depth| depth > 0.0);
+                    next.presses = surface.gap < next.rest || lay_on_it;
+                }
+            }
+            last = Some((now, next.gap - permitted));
+            asked.push(Asked { p, arclength, places: [start, now], known, next });
+        }
+        leave_pierced(&mut asked);
+        for Asked { p, arclength, places: at, known, next } in &asked {
+            if known.surface.is_some() || next.surface.is_some() {
+                uncovered = uncovered.max(self.set_springs(it, &places, *p, lane, [known, next], *at, is_first, *arclength));
+                *has_set = true;
+            }
+            it.contacts.known[p * T::LANES + lane] = *next;
+        }
+        it.contacts.asked = asked;
+        uncovered
+    }
+
+    /// Arclengths of a strand's points from the root, m.
+    fn arclengths(&self, lane: usize) -> impl Iterator<Item = f64> {
+        let mut from = 0.0;
+        let lengths = &self.members.model(lane).lengths;
+        lengths.iter().flat_map(move |length| {
+            let start = from;
+            from += length;
+            self.rule.nodes.iter().map(move |node| start + node * length)
+        })
+    }
+
+    /// The gap of a point above where its spring rests, by its plane, m.
+    fn planar_gap<T: Lane>(&self, it: &Iterate<T>, places: &Places, p: usize, lane: usize, now: Vec3<f64>) -> f64 {
+        let normal = super::members::lane_of(&it.system.normals[p], lane, 1.0);
+        normal.dot(now - places.end) - it.contacts.offsets[p].lane(lane) * places.unit
+    }
+
+    /// Sets the springs of a point, or takes them away, from what was known of it and what is now. Returns the distance over which its
+    /// inertia yields to the difference of their forces at the present iterate, m.
+    #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
+    fn set_springs<T: Lane>(
+        &self,
+        it: &mut Iterate<T>,
+        places: &Places,
+        p: usize,
+        lane: usize,
+        [known, next]: [&Known; 2],
+        [start, now]: [Vec3<f64>; 2],
+        is_first: bool,
+        arclength: f64,
+    ) -> f64 {
+        let unit = self.units[lane].force() / places.unit;
+        let model = self.members.model(lane);
+        // (The third term is that of a beam held at the root, and at the element's end.)
+        let bend = model.stiffness[1].max(model.stiffness[2]);
+        let element = model.lengths[p / self.rule.len()];
+        let resists = it.contacts.free_stiffness[p].lane(lane) * unit + 3.0 * bend * (arclength.powi(-3) + element.powi(-3));
+        // Forces before, along the normal and along the surface.
+        let had_friction = it.contacts.friction[p].lane(lane) * unit;
+        let had = if known.surface.is_some() { (-self.planar_gap(it, places, p, lane, now)).max(0.0) } else { 0.0 };
+        let Some(surface) = &next.surface else {
+            for list in [&mut it.system.normal_stiffness, &mut it.contacts.planes, &mut it.contacts.friction] {
+                list[p].set_lane(lane, 0.0);
+            }
+            return had * STIFFNESS;
+        };
+        let (normal, stiffness) = (surface.normal, STIFFNESS * resists);
+        let depth = (next.rest - surface.gap).max(0.0);
+        // A point that has just come has no force yet that tells of friction, but what it had when the step began.
+        let bears = if known.presses && !is_first { depth } else { next.start_depth.unwrap_or(0.0) };
+        let bears = bears.min(self.options.holding_depth);
+        let slip = tangential((now - start) - surface.carried, normal);
+        let distance = slip.norm_squared().sqrt();
+        let most = self.coefficient(surface, slip, distance, self.tangent(it, p, lane)) * stiffness * bears;
+        let friction = if most <= 0.0 {
+            0.0
+        } else if most >= STICKING * stiffness * distance {
+            STICKING * stiffness
+        } else {
+            most / distance
+        };
+        let rests_at = normal.dot(now - places.end) - (surface.gap - next.rest);
+        let anchor = (start + surface.carried) - places.end;
+        let anchor = anchor + normal.scale(rests_at - normal.dot(anchor));
+        for axis in 0..3 {
+            it.system.normals[p].0[axis].set_lane(lane, normal.0[axis]);
+            it.contacts.anchors[p].0[axis].set_lane(lane, anchor.0[axis] / places.unit);
+        }
+        it.contacts.offsets[p].set_lane(lane, rests_at / places.unit);
+        it.contacts.planes[p].set_lane(lane, stiffness / unit);
+        it.contacts.friction[p].set_lane(lane, friction / unit);
+        let meets = if next.presses { stiffness } else { 0.0 };
+        it.system.normal_stiffness[p].set_lane(lane, (meets - friction) / unit);
+        (depth - had).abs() * STIFFNESS + (had_friction - friction).abs() * distance / resists
+    }
+
+    /// The coefficient of friction for a slip.
+    fn coefficient(&self, surface: &SurfaceAtPoint, slip: Vec3<f64>, distance: f64, tangent: Vec3<f64>) -> f64 {
+        let along = if distance > 0.0 { slip.dot(tangent) / distance } else { 0.0 };
+        0.5 * (surface.along + surface.against) + 0.5 * (surface.against - surface.along) * along
+    }
+
+    /// The strand's direction about a point, unit.
+    fn tangent<T: Lane>(&self, it: &Iterate<T>, p: usize, lane: usize) -> Vec3<f64> {
+        let points = &it.kinematics.points;
+        let (from, to) = if p + 1 < points.len() { (p, p + 1) } else { (p - 1, p) };
+        let chord = super::members::lane_of(&(points[to].position - points[from].position), lane, 1.0);
+        let length = chord.norm_squared().sqrt();
+        if length > 0.0 { chord.scale(1.0 / length) } else { Vec3::zero() }
+    }
+
+    /// Puts the springs of friction together with those that the points have.
+    fn add_friction<T: Lane>(&self, it: &mut Iterate<T>) {
+        let Iterate { system, contacts, point_base, point_target, .. } = it;
+        for p in 0..point_target.len() {
+            let (free, friction) = (contacts.free_stiffness[p], contacts.friction[p]);
+            let stiffness = free + friction;
+            let held = (contacts.anchors[p] - point_base[p]) - contacts.free_target[p];
+            system.point_stiffness[p] = stiffness;
+            point_target[p] = contacts.free_target[p] + held.scale(friction / stiffness);
+        }
+    }
+
+    /// Whether a lane has contacts.
+    pub fn has_contacts<T: Lane>(&self, it: &Iterate<T>, lane: usize) -> bool {
+        it.contacts.known.iter().skip(lane).step_by(T::LANES).any(|known| known.presses)
+    }
+
+    /// Lanes with contacts.
+    pub fn with_contacts<T: Lane>(&self, it: &Iterate<T>, running: u32) -> u32 {
+        lanes(running).filter(|lane| self.has_contacts(it, *lane)).fold(0, |set, lane| set | 1 << lane)
+    }
+
+    /// Measures the overlaps at the end of a step.
+    pub fn measure<T: Lane>(&self, it: &mut Iterate<T>, active: u32) {
+        for lane in lanes(active) {
+            let places = Places::of(self, lane);
+            let mut deepest = f64::NEG_INFINITY;
+            self.members.with_surfaces(lane, &mut |surfaces| {
+                for (p, arclength) in self.arclengths(lane).enumerate() {
+                    let known = it.contacts.known[p * T::LANES + lane];
+                    let [_, now] = places.point(it, p, lane);
+                    let moved = SLOPE * (now - known.at).norm_squared().sqrt();
+                    if !known.presses && known.gap - moved > 0.0 {
+                        continue;
+                    }
+                    let mut gap = known.gap;
+                    if moved > 0.0 {
+                        gap = surfaces.nearest(arclength, now).map_or_else(|gap| gap, |surface| surface.gap);
+                    }
+                    let known = &mut it.contacts.known[p * T::LANES + lane];
+                    (known.at, known.gap) = (now, gap);
+                    deepest = deepest.max(-gap);
+                }
+            });
+            it.contacts.depth[lane] = deepest;
+        }
+    }
+
+    /// Contacts that press inelastically leave no velocity away from their surfaces, and none of the formula's memory of what was
+    /// before: where a point presses, its velocity is that of the way it went.
+    pub fn correct_velocities<T: Lane>(&self, it: &Iterate<T>, h: f64, active: u32, velocities: &mut [Vec3<T>]) {
+        for lane in lanes(active) {
+            let (places, per_step) = (Places::of(self, lane), 1.0 / h);
+            for (p, velocity) in velocities.iter_mut().enumerate() {
+                let known = &it.contacts.known[p * T::LANES + lane];
+                let Some(surface) = known.surface.as_ref().filter(|_| known.presses) else { continue };
+                let [start, now] = places.point(it, p, lane);
+                let (moved, carried) = ((now - start).scale(per_step), surface.carried.scale(per_step));
+                let away = surface.normal.dot(moved - carried).max(0.0);
+                let moved = moved - surface.normal.scale(away);
+                super::members::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
+            }
+        }
+    }
+
+    /// Calls `take` with the contacts of a lane that press, from root to tip.
+    pub fn for_each_contact<T: Lane>(&self, it: &Iterate<T>, lane: usize, mut take: impl FnMut(PointContact)) {
+        let places = Places::of(self, lane);
+        for (p, arclength) in self.arclengths(lane).enumerate() {
+            let known = &it.contacts.known[p * T::LANES + lane];
+            let Some(surface) = known.surface else { continue };
+            let [start, now] = places.point(it, p, lane);
+            let overlap = -self.planar_gap(it, &places, p, lane, now);
+            if overlap <= 0.0 {
+                continue;
+            }
+            let unit = self.units[lane].force() / places.unit;
+            let friction = it.contacts.friction[p].lane(lane) * unit;
+            let stiffness = it.contacts.planes[p].lane(lane) * unit;
+            let anchor = places.end + super::members::lane_of(&it.contacts.anchors[p], lane, places.unit);
+            let force = surface.normal.scale(stiffness * overlap) + tangential(anchor - now, surface.normal).scale(friction);
+            let slip = tangential((now - start) - surface.carried, surface.normal);
+            let surface = SurfaceAtPoint { gap: known.gap, ..surface };
+            take(PointContact { arclength, position: now, surface, force, slip });
+        }
+    }
+}
+
+/// The part of a vector across a unit normal.
+fn tangential(vector: Vec3<f64>, normal: Vec3<f64>) -> Vec3<f64> {
+    vector - normal.scale(normal.dot(vector))
+}

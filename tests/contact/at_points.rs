@@ -1,0 +1,267 @@
+//! Contact at points against theory: the weight that it bears, Coulomb's friction, how deep strands sink, and that nothing is thrown back.
+
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::shapes::{DistanceGrid, Mesh, Sides};
+use superhelix::{
+    BodyDef, ContactModel, Frame, Friction, Precision, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+};
+
+use super::random_bodies::{Dice, ball};
+
+const GRAVITY: f64 = 9.81;
+const STEP: f64 = 1.0 / 60.0;
+
+fn solver(gravity: Vector3<f64>) -> Solver {
+    let mut options = SolverOptions { gravity, ..SolverOptions::default() };
+    options.contact.model = ContactModel::AtPoints;
+    Solver::new(options).unwrap()
+}
+
+/// A limp strand of 20 cm along x whose surface lies on the plane z = 0.
+fn lying(elements: usize) -> StrandDef {
+    let mut def = StrandDef::straight(0.2, elements);
+    def.material.youngs_modulus = 1e6;
+    def.root = Frame { origin: Vector3::new(0.0, 0.0, def.material.radius[0]), rotation: UnitQuaternion::identity() };
+    def
+}
+
+fn floor() -> BodyDef {
+    BodyDef::new(Arc::new(Shape::new_half_space(Vector3::z()).unwrap()))
+}
+
+fn tip(solver: &Solver, id: StrandId, length: f64) -> Vector3<f64> {
+    let mut at = Vector3::zeros();
+    solver.sample_at(id, &[length], |_, sample| at = sample.position).unwrap();
+    at
+}
+
+#[test]
+fn contacts_bear_the_weight_of_a_strand_that_falls_to_the_floor() {
+    for precision in [Precision::F64, Precision::F32] {
+        let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
+        options.contact.model = ContactModel::AtPoints;
+        options.step.precision = precision;
+        let mut solver = Solver::new(options).unwrap();
+        let mut def = lying(10);
+        def.root.origin.z = 0.02;
+        let (weight, length) = (def.material.linear_density() * def.length() * GRAVITY, def.length());
+        let id = solver.add_strands(&[def]).unwrap()[0];
+        let floor = solver.add_bodies(vec![floor()]).unwrap()[0];
+        solver.set_contact(&[id], Some(&StrandContact::default())).unwrap();
+        let (mut report, mut energy, mut unconverged) = (Default::default(), f64::INFINITY, 0);
+        for step in 0..600 {
+            let now: superhelix::StepReport = solver.step(STEP, 1).unwrap();
+            report = now;
+            unconverged += now.unconverged;
+            let sum = now.energies.kinetic + now.energies.elastic + now.energies.gravity;
+            assert!(sum <= energy + 0.01 * weight * length, "step {step}: energy rose from {energy:e} to {sum:e}");
+            energy = energy.min(sum);
+        }
+        let contacts: Vector3<f64> = solver.contacts().iter().map(|contact| contact.force).sum();
+        let wrench = solver.body_wrench(floor).unwrap();
+        let root = solver.root_wrench(id).unwrap();
+        let off = (contacts - root.force - Vector3::new(0.0, 0.0, weight)).norm() / weight;
+        println!(
+            "{precision:?}: {} contacts, weight off by {off:e}, {unconverged} unconverged, {report:?}",
+            solver.contacts().len()
+        );
+        assert!((contacts + wrench.force).norm() < 1e-15);
+        assert_eq!(report.contact.contacts as usize, solver.contacts().len());
+        assert!(off < 0.05, "{off}");
+        // Where it comes down from the root a point bears a tenth of the strand.
+        assert!(report.contact.penetration < 5e-4, "{report:?}");
+        assert!(tip(&solver, id, length).z.abs() < 2e-4);
+    }
+}
+
+#[test]
+fn friction_holds_below_its_angle_and_not_above() {
+    let mu = 0.4;
+    for (share, sticks) in [(0.95_f64, true), (1.05, false)] {
+        let angle = (mu * share).atan();
+        let gravity = Vector3::new(0.0, angle.sin(), -angle.cos()) * GRAVITY;
+        let mut solver = solver(gravity);
+        let id = solver.add_strands(&[lying(10)]).unwrap()[0];
+        solver.add_bodies(vec![floor()]).unwrap();
+        let contact = StrandContact { friction: Friction::uniform(mu), ..StrandContact::default() };
+        solver.set_contact(&[id], Some(&contact)).unwrap();
+        let start = tip(&solver, id, 0.2);
+        let mut unconverged = 0;
+        let mut ways = Vec::new();
+        for _ in 0..180 {
+            unconverged += solver.step(STEP, 1).unwrap().unconverged;
+            ways.push((tip(&solver, id, 0.2) - start).y);
+        }
+        println!("{share}: {:?}, unconverged {unconverged}", [ways[10], ways[60], ways[179]]);
+        if sticks {
+            // It lands without friction and is stopped over some steps; then it creeps, slower than this.
+            assert!(ways[179].abs() < 3e-3, "{}", ways[179]);
+            assert!((ways[179] - ways[119]).abs() < 1e-4, "{:?}", [ways[119], ways[179]]);
+        } else {
+            assert!(ways[179] > 1e-2, "{}", ways[179]);
+        }
+    }
+}
+
+/// As in `rest_slide_capstan.rs`: a straight limp strand that lies across its way slides with its root, which slows down as Coulomb's
+/// friction slows it, so that the follicle carries no force along the motion.
+#[test]
+fn a_sliding_strand_slows_by_friction_alone() {
+    let (mu, speed) = (0.4, 1.0);
+    let slowing = mu * GRAVITY;
+    let mut solver = solver(Vector3::new(0.0, 0.0, -GRAVITY));
+    let mut def = lying(8);
+    def.root_velocity = Vector3::new(0.0, speed, 0.0);
+    let root = def.root;
+    let friction = mu * def.material.linear_density() * def.length() * GRAVITY;
+    let id = solver.add_strands(&[def]).unwrap()[0];
+    solver.add_bodies(vec![floor()]).unwrap();
+    solver.set_contact(&[id], Some(&StrandContact { friction: Friction::uniform(mu), ..StrandContact::default() })).unwrap();
+    let h = 1.0 / 240.0;
+    for step in 1..=40 {
+        let t = f64::from(step) * h;
+        let way = speed * t - 0.5 * slowing * t * (t + h);
+        let frame = Frame { origin: root.origin + Vector3::new(0.0, way, 0.0), ..root };
+        solver.set_root_frames(&[id], &[frame], 0.0).unwrap();
+        let report = solver.step(h, 1).unwrap();
+        let forces: Vector3<f64> = solver.contacts().iter().map(|contact| contact.force).sum();
+        println!("{step}: {:?} of {friction:e}, its {}", forces.y / -mu / forces.z, report.mean_iterations);
+        if step > 3 {
+            assert!((forces.y + mu * forces.z).abs() < 0.02 * mu * forces.z, "step {step}: {forces:?}");
+        }
+    }
+    let off = tip(&solver, id, 0.2).y - solver.root_frame(id).unwrap().origin.y;
+    assert!(off.abs() < 1e-3, "{off}");
+}
+
+/// Hair falls on a ball that turns, as every kind of shape, and slides over it: with a few iterations it is hardly in it, the report says how
+/// deep it is, and a snapshot goes on with the same bits, on two threads as on one.
+#[test]
+fn hair_lies_on_a_turning_ball_of_any_shape() {
+    let radius = 0.09;
+    let (vertices, triangles) = ball(radius, 4);
+    let mesh = Shape::new_mesh(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
+    let grid = DistanceGrid::bake(&Mesh::new(vertices, triangles, Sides::Solid).unwrap(), 3e-3, 0.015).unwrap();
+    let shapes = [Shape::new_sphere(radius).unwrap(), mesh, Shape::new_grid(grid)];
+    for shape in shapes {
+        let shape = Arc::new(shape);
+        for precision in [Precision::F64, Precision::F32] {
+            let mut results = Vec::new();
+            for threads in [1, 2] {
+                let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
+                (options.contact.model, options.contact.max_iterations) = (ContactModel::AtPoints, 4);
+                options.step.precision = precision;
+                options.workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
+                let mut solver = Solver::new(options.clone()).unwrap();
+                let defs: Vec<StrandDef> = (0..40).map(|k| on_top(k, radius)).collect();
+                let ids = solver.add_strands(&defs).unwrap();
+                let body = solver.add_bodies(vec![BodyDef::new(shape.clone())]).unwrap();
+                solver.set_contact(&ids, Some(&StrandContact { exempt_length: 5e-3, ..StrandContact::default() })).unwrap();
+                let (mut deep, mut pressed) = (0, 0);
+                for step in 0..180 {
+                    let t = f64::from(step + 1) * STEP;
+                    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5 * (std::f64::consts::TAU * t).sin());
+                    let frame = Frame { origin: Vector3::zeros(), rotation: turn };
+                    let roots: Vec<Frame> = defs.iter().map(|def| frame.compose(&def.root)).collect();
+                    solver.set_root_frames(&ids, &roots, STEP).unwrap();
+                    solver.set_body_frames(&body, &[frame], STEP).unwrap();
+                    if threads > 1 && step == 120 {
+                        let image = solver.snapshot();
+                        solver = Solver::new(options.clone()).unwrap();
+                        solver.restore(&image).unwrap();
+                    }
+                    let report = solver.step(STEP, 1).unwrap();
+                    assert_eq!(report.quarantined, 0);
+                    if step < 60 {
+                        continue;
+                    }
+                    let gaps = || solver.contacts().iter().map(|contact| contact.gap);
+                    pressed += gaps().count();
+                    deep += gaps().filter(|gap| *gap < -5e-4).count();
+                    let deepest = gaps().fold(0.0, f64::min);
+                    assert!(report.contact.penetration >= -deepest - 1e-12, "{report:?} {deepest}");
+                }
+                // From outside: what the strands' own shapes say, between the points too.
+                let mut worst = f64::INFINITY;
+                for id in &ids {
+                    let along: Vec<f64> = (5..=250).map(|mm| f64::from(mm) * 1e-3).collect();
+                    solver.sample_at(*id, &along, |_, sample| worst = worst.min(sample.position.norm() - radius)).unwrap();
+                }
+                println!("{precision:?} {threads}: {pressed} contacts, {deep} deep, worst {worst:e}");
+                assert!(pressed > 10_000, "{pressed}");
+                assert!(100 * deep <= 3 * pressed, "{deep} of {pressed}");
+                assert!(worst > -3e-3, "{worst}");
+                let tips: Vec<Vector3<f64>> = ids.iter().map(|id| tip(&solver, *id, 0.25)).collect();
+                results.push(tips);
+            }
+            assert_eq!(results[0], results[1]);
+        }
+    }
+}
+
+/// A strand that stands on the ball and falls over.
+fn on_top(k: usize, radius: f64) -> StrandDef {
+    let mut def = StrandDef::straight(0.25, 10);
+    def.material.internal_friction = 1e-10;
+    def.material.air_drag = 5e-6;
+    let (one, two) = ((k as f64 * 0.618_034).fract(), (k as f64 * 0.754_878).fract());
+    def.natural = vec![[2.0 * one, 5.0 + 5.0 * two, 3.0 * one]; 10];
+    let out =
+        UnitQuaternion::from_euler_angles(0.0, -std::f64::consts::FRAC_PI_2 + 0.6 * (one - 0.5), std::f64::consts::TAU * two);
+    def.root = Frame { origin: out * Vector3::x() * radius, rotation: out };
+    def
+}
+
+/// Bodies pass at up to 3 m/s through strands that hang: every step ends, with finite strands, none of them rolled back, and once the bodies are
+/// gone nothing has energy that it did not have.
+#[test]
+fn bodies_that_pass_at_speed_leave_nothing_behind() {
+    let mut dice = Dice(7);
+    for case in 0..60 {
+        let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
+        (options.contact.model, options.contact.max_iterations) = (ContactModel::AtPoints, [1, 2, 4, 50][case % 4]);
+        options.step.precision = if case % 3 == 0 { Precision::F32 } else { Precision::F64 };
+        let mut solver = Solver::new(options).unwrap();
+        let defs: Vec<StrandDef> = (0..6).map(|k| hanging(&mut dice, k)).collect();
+        let ids = solver.add_strands(&defs).unwrap();
+        solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+        let shape = match case % 3 {
+            0 => Shape::new_sphere(0.04),
+            1 => Shape::new_capsule(Vector3::new(0.0, -0.1, 0.0), Vector3::new(0.0, 0.1, 0.0), 0.015),
+            _ => Shape::new_box(Vector3::new(0.02, 0.05, 0.04)),
+        };
+        let from = Vector3::new(-0.2, 0.02 * dice.cube().x, -0.05 + 0.05 * dice.cube().y);
+        let pose = |origin| Frame { origin, ..Frame::default() };
+        let body = BodyDef { pose: pose(from), ..BodyDef::new(Arc::new(shape.unwrap())) };
+        let bodies = solver.add_bodies(vec![body]).unwrap();
+        let speed = 0.3 + 2.7 * (case as f64 / 59.0);
+        for step in 0..(0.4 / (speed * STEP)).ceil() as usize {
+            let at = from + Vector3::x() * (speed * STEP * (step + 1) as f64);
+            solver.set_body_frames(&bodies, &[pose(at)], STEP).unwrap();
+            let report = solver.step(STEP, 1).unwrap();
+            assert_eq!(report.quarantined, 0, "case {case} step {step}");
+        }
+        solver.remove_bodies(&bodies).unwrap();
+        let energy = |solver: &mut Solver| {
+            let energies = solver.step(STEP, 1).unwrap().energies;
+            (energies.kinetic + energies.elastic + energies.gravity, energies.kinetic + energies.elastic)
+        };
+        let (before, moving) = energy(&mut solver);
+        for step in 0..60 {
+            let (now, _) = energy(&mut solver);
+            assert!(now <= before + 0.05 * moving, "case {case} step {step}: {before:e} to {now:e}, {moving:e} in motion");
+        }
+    }
+}
+
+fn hanging(dice: &mut Dice, k: usize) -> StrandDef {
+    let mut def = StrandDef::straight(0.2, 6 + 2 * (k % 3));
+    def.natural = vec![[0.0, 10.0 * dice.cube().x, 10.0 * dice.cube().y]; def.natural.len()];
+    def.material.internal_friction = 1e-10;
+    def.material.air_drag = 1e-5;
+    let origin = Vector3::new(0.0, 0.01 * (k as f64 - 2.5), 0.05);
+    def.root = Frame { origin, rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2) };
+    def
+}
