@@ -194,7 +194,6 @@ impl Places {
 #[derive(Debug, Clone)]
 struct Asked {
     p: usize,
-    arclength: f64,
     /// At the start of the step and now.
     places: [Vec3<f64>; 2],
     known: Known,
@@ -322,12 +321,12 @@ impl Touching<'_> {
                 }
             }
             last = Some((now, next.gap - permitted));
-            asked.push(Asked { p, arclength, places: [start, now], known, next });
+            asked.push(Asked { p, places: [start, now], known, next });
         }
         leave_pierced(&mut asked);
-        for Asked { p, arclength, places: at, known, next } in &asked {
+        for Asked { p, places: at, known, next } in &asked {
             if known.surface.is_some() || next.surface.is_some() {
-                uncovered = uncovered.max(self.set_springs(it, &places, *p, lane, [known, next], *at, is_first, *arclength));
+                uncovered = uncovered.max(self.set_springs(it, &places, *p, lane, [known, next], *at, is_first));
                 *has_set = true;
             }
             it.contacts.known[p * T::LANES + lane] = *next;
@@ -365,14 +364,9 @@ impl Touching<'_> {
         [known, next]: [&Known; 2],
         [start, now]: [Vec3<f64>; 2],
         is_first: bool,
-        arclength: f64,
     ) -> f64 {
         let unit = self.units[lane].force() / places.unit;
-        let model = self.members.model(lane);
-        // (The third term is that of a beam held at the root, and at the element's end.)
-        let bend = model.stiffness[1].max(model.stiffness[2]);
-        let element = model.lengths[p / self.rule.len()];
-        let resists = it.contacts.free_stiffness[p].lane(lane) * unit + 3.0 * bend * (arclength.powi(-3) + element.powi(-3));
+        let resists = self.resists(it.contacts.free_stiffness[p].lane(lane) * unit, p, lane);
         // Forces before, along the normal and along the surface.
         let had_friction = it.contacts.friction[p].lane(lane) * unit;
         let had = if known.surface.is_some() { (-self.planar_gap(it, places, p, lane, now)).max(0.0) } else { 0.0 };
@@ -410,6 +404,15 @@ impl Touching<'_> {
         let meets = if next.presses { stiffness } else { 0.0 };
         it.system.normal_stiffness[p].set_lane(lane, (meets - friction) / unit);
         (depth - had).abs() * STIFFNESS + (had_friction - friction).abs() * distance / resists
+    }
+
+    /// What resists a force on a point that has this `inertia` alone: that of the length over which the strand bends with it in the step,
+    /// (EI/(ρS/h²))^¼, N/m.
+    fn resists(&self, inertia: f64, p: usize, lane: usize) -> f64 {
+        let (model, nodes) = (self.members.model(lane), self.rule.len());
+        let own = self.rule.weights[p % nodes] * model.lengths[p / nodes];
+        let bends = (model.stiffness[1].max(model.stiffness[2]) * own / inertia).sqrt().sqrt();
+        inertia * (1.0 + bends / own)
     }
 
     /// The coefficient of friction for a slip.
