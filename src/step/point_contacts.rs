@@ -2,9 +2,9 @@
 //! one along the surface, so that contact is part of a strand's own minimisation and packs take it side by side.
 //!
 //! Symbols: g is the gap of a point's surface from the body's, n the normal there, S the stiffness that a point has from its inertia
-//! in the step and from bending, k = [`STIFFNESS`] S. The potential gains ½ k g² where g < 0, by the tangent plane of the last iterate, and ½ c |slip|²
+//! in the step and from bending, k = 100 S. The potential gains ½ k g² where g < 0, by the tangent plane of the last iterate, and ½ c |slip|²
 //! for friction, with the lagged coefficient c = μN / max(|slip|, μN/c₁) of regularised Coulomb friction (Kačanov's iteration) and c₁ =
-//! [`STICKING`] k, at which a point sticks. N is the force at the last iterate. Surfaces are asked for in every iteration; Newton's
+//! 100 k, at which a point sticks. N is the force at the last iterate. Surfaces are asked for in every iteration; Newton's
 //! method on such a potential is semismooth (Hintermüller, Ito and Kunisch 2002).
 
 use super::iterate::Iterate;
@@ -61,7 +61,7 @@ pub struct SurfaceAtPoint {
     pub normal: Vec3<f64>,
     /// Displacement of the surface during the step, m.
     pub carried: Vec3<f64>,
-    /// Coefficients of friction, see [`crate::contact::options::Friction`].
+    /// Coefficients of friction, of a strand against the body, from root to tip and against its scales.
     pub along: f64,
     /// See `along`.
     pub against: f64,
