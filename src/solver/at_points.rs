@@ -1,12 +1,12 @@
 //! Contact at points: strands that only bodies may touch step side by side with others, and their contacts are taken down.
 
+use nalgebra::Vector3;
+
 use super::bodies::{Contact, ContactPartner};
 use super::constrained_substep::{ConstrainedSubstep, ContactTally};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{Constrained, Strand};
-use nalgebra::Vector3;
-
 use crate::contact::body::BodyAt;
 use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
 use crate::contact::permitted_overlap::PermittedOverlap;
