@@ -1772,10 +1772,10 @@ SHX_API shx_result shx_distance_grid_bake(const shx_distance_grid_def *def, void
 #define SHX_CONTACT_COULOMB 3
 
 // For games and previews: contact with bodies at the strands' integration points alone (four or more an
-// element), with Coulomb friction, side by side with free strands and in single precision too. max_iterations
-// 2 to 4 is a good choice. Surfaces penetrate by tenths of a millimetre, more between the points, and what is
-// thinner than their distance passes. Strands that collide with strands or have constraints use
-// SHX_CONTACT_PENALTY.
+// element), with Coulomb friction, as part of the free step and in single precision too. max_iterations 2
+// to 4 is a good choice: most contacts then penetrate by tenths of a millimetre, some by millimetres where
+// a body moves fast. Strands pass or pierce what is thinner than their points are apart. Strands that
+// collide with strands or have constraints use SHX_CONTACT_PENALTY.
 #define SHX_CONTACT_AT_POINTS 4
 
 // How a solver handles contact. Fill it with shx_contact_options_init.
@@ -1788,9 +1788,9 @@ typedef struct shx_contact_options {
   // other. 0 (default): strands collide with bodies only.
   uint32_t hair_contact;
   // Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1
-  // to 10000. Default 50. Penalty models: up to 10 is a choice of cost; the remaining penetration is resolved
-  // in later steps and not reported. Larger values, and any with SHX_CONTACT_COULOMB, are limits: an island
-  // that reaches one is solved again with compliant contacts.
+  // to 10000. Default 50. All but SHX_CONTACT_COULOMB: up to 10 is a choice of cost; the remaining
+  // penetration is resolved in later steps, and only SHX_CONTACT_AT_POINTS reports it. Larger values, and any
+  // with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved again with compliant contacts.
   uint32_t max_iterations;
   // Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.
   uint32_t max_sweeps;
@@ -1810,7 +1810,7 @@ typedef struct shx_contact_options {
   // weight of the lightest strand, if larger) and some sliding velocity within residual times 0.01 m/s of the
   // actual one. Default 1e-4: a ten-thousandth of the force, and a micrometre per second.
   double residual;
-  // SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a
+  // SHX_CONTACT_COULOMB, SHX_CONTACT_AT_POINTS: speed at which surfaces that penetrate at the start of a
   // step are separated, m/s; above zero. Default 0.1.
   double separation_speed;
 } shx_contact_options;

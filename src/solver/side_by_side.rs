@@ -99,7 +99,6 @@ fn take_present(
         }
         return;
     }
-    let levels = subdivision::levels(setting.options);
     let mut order = [(PackKey::default(), 0_u32, 0_u32); MAX_TASK];
     let mut count = 0;
     for index in 0..strands.len() {
@@ -108,7 +107,7 @@ fn take_present(
             continue;
         }
         let touches = strand.constrained == Constrained::AtPoints;
-        if strand.state.subdivision.min(levels) > 0 && !touches {
+        if strand.state.subdivision.min(subdivision::levels(setting.options, touches)) > 0 {
             take_one(strands, index, setting, h, tally, scratch);
         } else {
             let kind = PackKey::of(
@@ -176,7 +175,12 @@ fn take_pack(
     }
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
-        let outcome = if touches { *outcome } else { strand.with_one(|one| step::finish(setting, one, h, outcome, scratch)) };
+        let outcome = if touches {
+            strand.state.subdivision = 0;
+            *outcome
+        } else {
+            strand.with_one(|one| step::finish(setting, one, h, outcome, scratch))
+        };
         tally.add(*index, strand, &outcome);
         strand.ended(outcome, setting, h, &[], scratch);
     }

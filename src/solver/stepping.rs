@@ -397,7 +397,7 @@ impl Solver {
         });
         let mut tally = Tally::default();
         let account = Account { tally: &mut tally, contact, wrenches: &mut wrenches };
-        self.constrained_substep.take(&mut scene, h, subdivision::levels(&self.options.step), account);
+        self.constrained_substep.take(&mut scene, h, subdivision::levels(&self.options.step, false), account);
         let mut touched = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         let contacts = &mut *self.constrained_substep;
         touched.report(&self.slots, &bodies, &ids, Results { contacts, wrenches: &mut wrenches, tally: contact });

@@ -198,27 +198,37 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for PredictTension<'_, T, 
 /// Evaluates the accepted state: its potential, and the rounding error of that.
 #[inline(always)]
 pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    let contacts = &it.contacts;
-    T::call(Evaluate {
-        problem,
-        kinematics,
-        curvatures,
-        system,
-        contacts,
-        point_base,
-        curvature_base,
-        point_target,
-        curvature_target,
-        places: true,
-    })
+    evaluate(problem, it, At::Accepted)
 }
 
 /// Evaluates the accepted state again, with other springs.
 #[inline(always)]
 pub(super) fn evaluate_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    let contacts = &it.contacts;
+    evaluate(problem, it, At::AcceptedInPlace)
+}
+
+/// Evaluates the trial state.
+#[inline(always)]
+pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
+    evaluate(problem, it, At::Trial)
+}
+
+/// Where the potential is evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum At {
+    Accepted,
+    /// The same, where the kinematics are those of its curvatures already.
+    AcceptedInPlace,
+    Trial,
+}
+
+#[inline(always)]
+fn evaluate<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, at: At) -> (T, T) {
+    let (kinematics, curvatures) = match at {
+        At::Accepted | At::AcceptedInPlace => (&mut it.kinematics, &it.curvatures),
+        At::Trial => (&mut it.trial, &it.trial_curvatures),
+    };
+    let Iterate { system, contacts, point_base, curvature_base, point_target, curvature_target, .. } = it;
     T::call(Evaluate {
         problem,
         kinematics,
@@ -229,26 +239,7 @@ pub(super) fn evaluate_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<
         curvature_base,
         point_target,
         curvature_target,
-        places: false,
-    })
-}
-
-/// Evaluates the trial state.
-#[inline(always)]
-pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { trial, system, point_base, curvature_base, point_target, curvature_target, trial_curvatures, .. } = it;
-    let contacts = &it.contacts;
-    T::call(Evaluate {
-        problem,
-        kinematics: trial,
-        curvatures: trial_curvatures,
-        system,
-        contacts,
-        point_base,
-        curvature_base,
-        point_target,
-        curvature_target,
-        places: true,
+        places: at != At::AcceptedInPlace,
     })
 }
 

@@ -165,8 +165,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch)
     if setting.options.integrator == Integrator::Reference {
         return take_reference(setting, one, h, scratch);
     }
-    let levels = if one.touches.is_some() { 0 } else { subdivision::levels(setting.options) };
-    let begin = one.state.subdivision.min(levels);
+    let begin = one.state.subdivision.min(subdivision::levels(setting.options, one.touches.is_some()));
     if begin > 0 {
         return take_in_substeps(setting, one, h, begin, scratch);
     }
@@ -177,13 +176,9 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut StepScratch)
     finish(setting, one, h, &whole, scratch)
 }
 
-/// Finishes the step of a strand that tried it in one piece: in substeps if that failed. A strand that bodies may touch at its points takes
-/// none: what springs leave is left to the next step.
+/// Finishes the step of a strand that tried it in one piece: in substeps if that failed.
 pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut StepScratch) -> StrandOutcome {
-    if one.touches.is_some() {
-        return *whole;
-    }
-    if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
+    if subdivision::levels(setting.options, one.touches.is_some()) == 0 || subdivision::serves(setting.options, whole) {
         one.state.subdivision = 0;
         return *whole;
     }
@@ -211,7 +206,7 @@ fn take_whole<T: Single>(
     rule: &mut RuleScratch,
 ) -> StrandOutcome {
     let outcome = T::attempt(one, setting, h, bench);
-    if subdivision::is_kept(setting.options, &outcome) || one.touches.is_some() && !outcome.quarantined {
+    if subdivision::is_kept(setting.options, one.touches.is_some(), &outcome) {
         keep(one, 0, setting, h, &bench.workspace, rule);
     }
     outcome

@@ -76,8 +76,7 @@ fn in_lanes<T: Lane>(
     let Bench { workspace, elimination } = &mut **bench.get_or_insert_default();
     let outcomes = T::call(Take { members, setting, h, workspace, solver: elimination });
     for lane in 0..members.count() {
-        let touches = members.point_contact().is_some() && !outcomes[lane].quarantined;
-        if touches || subdivision::is_kept(setting.options, &outcomes[lane]) {
+        if subdivision::is_kept(setting.options, members.point_contact().is_some(), &outcomes[lane]) {
             keep(members, lane, setting, h, workspace, rule);
         }
     }

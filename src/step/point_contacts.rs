@@ -232,24 +232,16 @@ impl Touching<'_> {
     /// Begins a step: nothing presses yet.
     pub fn begin<T: Lane>(&self, it: &mut Iterate<T>) {
         let points = it.point_base.len();
-        let contacts = &mut it.contacts;
-        contacts.offsets.clear();
-        contacts.offsets.resize(points, T::zero());
-        contacts.planes.clear();
-        contacts.planes.resize(points, T::zero());
-        contacts.friction.clear();
-        contacts.friction.resize(points, T::zero());
-        contacts.anchors.clear();
-        contacts.anchors.resize(points, Vec3::zero());
-        contacts.free_stiffness.clone_from(&it.system.point_stiffness);
+        let Iterate { contacts, system, .. } = it;
+        for list in [&mut contacts.offsets, &mut contacts.planes, &mut contacts.friction, &mut system.normal_stiffness] {
+            refill(list, points, T::zero());
+        }
+        refill(&mut contacts.anchors, points, Vec3::zero());
+        refill(&mut system.normals, points, Vec3::zero());
+        refill(&mut contacts.known, points * T::LANES, Known::NOTHING);
+        contacts.free_stiffness.clone_from(&system.point_stiffness);
         contacts.free_target.clone_from(&it.point_target);
-        contacts.known.clear();
-        contacts.known.resize(points * T::LANES, Known::NOTHING);
         contacts.depth = [f64::NEG_INFINITY; MAX_LANES];
-        it.system.normals.clear();
-        it.system.normals.resize(points, Vec3::zero());
-        it.system.normal_stiffness.clear();
-        it.system.normal_stiffness.resize(points, T::zero());
     }
 
     /// Asks of `running` lanes which of their points press at the accepted iterate, and sets their springs. Returns the lanes whose
@@ -442,14 +434,10 @@ impl Touching<'_> {
         }
     }
 
-    /// Whether a lane has contacts.
-    pub fn has_contacts<T: Lane>(&self, it: &Iterate<T>, lane: usize) -> bool {
-        it.contacts.known.iter().skip(lane).step_by(T::LANES).any(|known| known.presses)
-    }
-
     /// Lanes with contacts.
     pub fn with_contacts<T: Lane>(&self, it: &Iterate<T>, running: u32) -> u32 {
-        lanes(running).filter(|lane| self.has_contacts(it, *lane)).fold(0, |set, lane| set | 1 << lane)
+        let of_lane = |lane: usize| it.contacts.known.iter().skip(lane).step_by(T::LANES);
+        lanes(running).filter(|lane| of_lane(*lane).any(|known| known.presses)).fold(0, |set, lane| set | 1 << lane)
     }
 
     /// Measures the overlaps at the end of a step.
@@ -516,6 +504,12 @@ impl Touching<'_> {
             take(PointContact { arclength, position: now, surface, force, slip });
         }
     }
+}
+
+/// Gives a list this many items, all alike.
+fn refill<V: Clone>(list: &mut Vec<V>, count: usize, item: V) {
+    list.clear();
+    list.resize(count, item);
 }
 
 /// The part of a vector across a unit normal.

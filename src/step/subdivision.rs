@@ -18,9 +18,14 @@ use crate::rod::target::TargetAt;
 /// as much.
 const GROWS_BELOW: f64 = 0.08;
 
-/// How often a step may be halved.
-pub fn levels(options: &StepOptions) -> u32 {
-    if matches!(options.integrator, Integrator::ImplicitEuler | Integrator::SecondOrder) { options.max_subdivisions } else { 0 }
+/// How often a step may be halved; never that of a strand that bodies may touch at its points (`touches`): what springs leave is left to
+/// the next step.
+pub fn levels(options: &StepOptions, touches: bool) -> u32 {
+    if !touches && matches!(options.integrator, Integrator::ImplicitEuler | Integrator::SecondOrder) {
+        options.max_subdivisions
+    } else {
+        0
+    }
 }
 
 /// Takes the step in substeps, starting with h/2^`level`; the state is that at the start of the step.
@@ -74,8 +79,8 @@ pub fn in_substeps<T: Single>(
 
 /// Whether the end of a step in one piece becomes the state: where it is acceptable or, if finite, where the step may not be
 /// subdivided.
-pub fn is_kept(options: &StepOptions, outcome: &StrandOutcome) -> bool {
-    serves(options, outcome) || (levels(options) == 0 && !outcome.quarantined)
+pub fn is_kept(options: &StepOptions, touches: bool, outcome: &StrandOutcome) -> bool {
+    serves(options, outcome) || (levels(options, touches) == 0 && !outcome.quarantined)
 }
 
 /// Whether a step needs no subdivision.

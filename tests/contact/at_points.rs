@@ -5,37 +5,14 @@ use std::sync::Arc;
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{
-    BodyDef, ContactModel, Frame, Friction, Precision, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+    BodyDef, ContactModel, Frame, Friction, Precision, Shape, Solver, SolverOptions, StrandContact, StrandDef, Workers,
 };
 
 use super::random_bodies::{Dice, ball};
+use super::rest_slide_capstan::{floor, lying, solver, tip};
 
 const GRAVITY: f64 = 9.81;
 const STEP: f64 = 1.0 / 60.0;
-
-fn solver(gravity: Vector3<f64>) -> Solver {
-    let mut options = SolverOptions { gravity, ..SolverOptions::default() };
-    options.contact.model = ContactModel::AtPoints;
-    Solver::new(options).unwrap()
-}
-
-/// A limp strand of 20 cm along x whose surface lies on the plane z = 0.
-fn lying(elements: usize) -> StrandDef {
-    let mut def = StrandDef::straight(0.2, elements);
-    def.material.youngs_modulus = 1e6;
-    def.root = Frame { origin: Vector3::new(0.0, 0.0, def.material.radius[0]), rotation: UnitQuaternion::identity() };
-    def
-}
-
-fn floor() -> BodyDef {
-    BodyDef::new(Arc::new(Shape::new_half_space(Vector3::z()).unwrap()))
-}
-
-fn tip(solver: &Solver, id: StrandId, length: f64) -> Vector3<f64> {
-    let mut at = Vector3::zeros();
-    solver.sample_at(id, &[length], |_, sample| at = sample.position).unwrap();
-    at
-}
 
 #[test]
 fn contacts_bear_the_weight_of_a_strand_that_falls_to_the_floor() {
@@ -82,7 +59,7 @@ fn friction_holds_below_its_angle_and_not_above() {
     for (share, sticks) in [(0.95_f64, true), (1.05, false)] {
         let angle = (mu * share).atan();
         let gravity = Vector3::new(0.0, angle.sin(), -angle.cos()) * GRAVITY;
-        let mut solver = solver(gravity);
+        let mut solver = solver(ContactModel::AtPoints, gravity);
         let id = solver.add_strands(&[lying(10)]).unwrap()[0];
         solver.add_bodies(vec![floor()]).unwrap();
         let contact = StrandContact { friction: Friction::uniform(mu), ..StrandContact::default() };
@@ -111,7 +88,7 @@ fn friction_holds_below_its_angle_and_not_above() {
 fn a_sliding_strand_slows_by_friction_alone() {
     let (mu, speed) = (0.4, 1.0);
     let slowing = mu * GRAVITY;
-    let mut solver = solver(Vector3::new(0.0, 0.0, -GRAVITY));
+    let mut solver = solver(ContactModel::AtPoints, Vector3::new(0.0, 0.0, -GRAVITY));
     let mut def = lying(8);
     def.root_velocity = Vector3::new(0.0, speed, 0.0);
     let root = def.root;

@@ -7,25 +7,25 @@ use superhelix::{BodyDef, ContactModel, Frame, Friction, Shape, Solver, SolverOp
 
 const GRAVITY: f64 = 9.81;
 
-fn solver(model: ContactModel, gravity: Vector3<f64>) -> Solver {
+pub(super) fn solver(model: ContactModel, gravity: Vector3<f64>) -> Solver {
     let mut options = SolverOptions { gravity, ..SolverOptions::default() };
     options.contact.model = model;
     Solver::new(options).unwrap()
 }
 
 /// A limp strand of 20 cm along x whose surface lies on the plane z = 0.
-fn lying(elements: usize) -> StrandDef {
+pub(super) fn lying(elements: usize) -> StrandDef {
     let mut def = StrandDef::straight(0.2, elements);
     def.material.youngs_modulus = 1e6;
     def.root = Frame { origin: Vector3::new(0.0, 0.0, def.material.radius[0]), rotation: UnitQuaternion::identity() };
     def
 }
 
-fn floor() -> BodyDef {
+pub(super) fn floor() -> BodyDef {
     BodyDef::new(Arc::new(Shape::new_half_space(Vector3::z()).unwrap()))
 }
 
-fn tip(solver: &Solver, id: StrandId, length: f64) -> Vector3<f64> {
+pub(super) fn tip(solver: &Solver, id: StrandId, length: f64) -> Vector3<f64> {
     let mut at = Vector3::zeros();
     solver.sample_at(id, &[length], |_, sample| at = sample.position).unwrap();
     at

@@ -969,9 +969,10 @@ struct contact_options : shx_contact_options {
     return *this;
   }
 
-  // Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. Default 50. Penalty
-  // models: up to 10 is a choice of cost; the remaining penetration is resolved in later steps and not reported. Larger values, and any
-  // with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved again with compliant contacts.
+  // Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. Default 50. All but
+  // SHX_CONTACT_COULOMB: up to 10 is a choice of cost; the remaining penetration is resolved in later steps, and only SHX_CONTACT_AT_POINTS
+  // reports it. Larger values, and any with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved again with compliant
+  // contacts.
   contact_options &with_max_iterations(std::uint32_t value) {
     max_iterations = value;
     return *this;
@@ -1016,7 +1017,8 @@ struct contact_options : shx_contact_options {
     return *this;
   }
 
-  // SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a step are separated, m/s; above zero. Default 0.1.
+  // SHX_CONTACT_COULOMB, SHX_CONTACT_AT_POINTS: speed at which surfaces that penetrate at the start of a step are separated, m/s; above
+  // zero. Default 0.1.
   contact_options &with_separation_speed(double value) {
     separation_speed = value;
     return *this;

@@ -206,9 +206,9 @@ class ContactModel(IntEnum):
     step, and both laws are solved to residual. The default."""
     AT_POINTS = 4
     """For games and previews: contact with bodies at the strands' integration points alone (four or more an element), with Coulomb
-    friction, side by side with free strands and in single precision too. max_iterations 2 to 4 is a good choice. Surfaces penetrate
-    by tenths of a millimetre, more between the points, and what is thinner than their distance passes. Strands that collide with
-    strands or have constraints use ContactModel.PENALTY."""
+    friction, as part of the free step and in single precision too. max_iterations 2 to 4 is a good choice: most contacts then
+    penetrate by tenths of a millimetre, some by millimetres where a body moves fast. Strands pass or pierce what is thinner than
+    their points are apart. Strands that collide with strands or have constraints use ContactModel.PENALTY."""
 
 
 class Partner(IntEnum):

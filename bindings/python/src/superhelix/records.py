@@ -703,9 +703,9 @@ class ContactOptions(Record):
     )
     max_iterations = IntField(
         "Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. "
-        "Default 50. Penalty models: up to 10 is a choice of cost; the remaining penetration is resolved in later steps and not "
-        "reported. Larger values, and any with ContactModel.COULOMB, are limits: an island that reaches one is solved again with "
-        "compliant contacts."
+        "Default 50. All but ContactModel.COULOMB: up to 10 is a choice of cost; the remaining penetration is resolved in later "
+        "steps, and only ContactModel.AT_POINTS reports it. Larger values, and any with ContactModel.COULOMB, are limits: an "
+        "island that reaches one is solved again with compliant contacts."
     )
     max_sweeps = IntField("Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.")
     stiffness = FloatField("Penalty models: stiffness of a contact, N/m; above zero. Default 10.")
@@ -726,8 +726,8 @@ class ContactOptions(Record):
         "ten-thousandth of the force, and a micrometre per second."
     )
     separation_speed = FloatField(
-        "ContactModel.COULOMB: speed at which surfaces that penetrate at the start of a step are separated, m/s; above zero. "
-        "Default 0.1."
+        "ContactModel.COULOMB, ContactModel.AT_POINTS: speed at which surfaces that penetrate at the start of a step are "
+        "separated, m/s; above zero. Default 0.1."
     )
 
     def __init__(

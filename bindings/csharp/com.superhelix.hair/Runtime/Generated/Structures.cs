@@ -581,9 +581,10 @@ namespace Superhelix
       set { hair_contact = value ? 1u : 0u; }
     }
     /// <summary>
-    /// Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. Default 50.
-    /// Penalty models: up to 10 is a choice of cost; the remaining penetration is resolved in later steps and not reported. Larger values,
-    /// and any with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved again with compliant contacts.
+    /// Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. Default 50. All
+    /// but SHX_CONTACT_COULOMB: up to 10 is a choice of cost; the remaining penetration is resolved in later steps, and only
+    /// SHX_CONTACT_AT_POINTS reports it. Larger values, and any with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved
+    /// again with compliant contacts.
     /// </summary>
     public uint MaxIterations;
     /// <summary>Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.</summary>
@@ -608,7 +609,8 @@ namespace Superhelix
     /// </summary>
     public double Residual;
     /// <summary>
-    /// SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a step are separated, m/s; above zero. Default 0.1.
+    /// SHX_CONTACT_COULOMB, SHX_CONTACT_AT_POINTS: speed at which surfaces that penetrate at the start of a step are separated, m/s; above
+    /// zero. Default 0.1.
     /// </summary>
     public double SeparationSpeed;
 
