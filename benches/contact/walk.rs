@@ -18,6 +18,9 @@ use crate::{EXEMPT, GRAVITY, Outcome, STEP};
 const SCALP: f64 = 0.1;
 /// Steps before the head walks off: hair comes down to the head.
 const CALM: usize = 60;
+/// How often strands are searched for overlaps with the bust, steps, and the depths beyond which they are counted, m.
+const LOOK: usize = 6;
+const DEEP: [f64; 2] = [5e-4, 2e-3];
 
 /// A crowd of guides, and how it is stepped.
 struct Case {
@@ -29,7 +32,7 @@ struct Case {
     contact: Option<(ContactModel, u32)>,
 }
 
-const CASES: [Case; 8] = [
+const CASES: [Case; 9] = [
     Case { name: "free", guides: 10_000, elements: 10, precision: Precision::F64, contact: None },
     Case { name: "hard", guides: 10_000, elements: 10, precision: Precision::F64, contact: Some((ContactModel::Coulomb, 50)) },
     Case {
@@ -53,6 +56,13 @@ const CASES: [Case; 8] = [
         elements: 10,
         precision: Precision::F64,
         contact: Some((ContactModel::AtPoints, 4)),
+    },
+    Case {
+        name: "at points, 2 iterations",
+        guides: 10_000,
+        elements: 10,
+        precision: Precision::F64,
+        contact: Some((ContactModel::AtPoints, 2)),
     },
     Case {
         name: "at points, 1 iteration",
@@ -113,7 +123,7 @@ pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run)
     let motion = Motion::read("tests/data/grooms/walk_figure8_head.csv", None)?;
     let middle = bust.0.iter().sum::<Vector3<f64>>() / bust.0.len() as f64;
     let mut csv = String::from(
-        "case,guides,elements,precision,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,penetration_m,unconverged,rolled_back\n",
+        "case,guides,elements,precision,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,penetration_m,unconverged,rolled_back,deeper_than_half_mm,deeper_than_2_mm\n",
     );
     print!("{csv}");
     for (_, mut case) in CASES.into_iter().enumerate().filter(|(k, _)| run.only.is_none_or(|only| only == *k)) {
@@ -139,6 +149,7 @@ pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run)
         }
         let (mut milliseconds, mut phases, mut contacts, mut iterations) = (Vec::new(), [0.0; 3], 0.0, 0.0);
         let (mut penetration, mut unconverged, mut rolled_back) = (0.0_f64, 0, 0);
+        let (mut deep, mut looks) = ([0.0; 2], 0.0);
         for k in 0..CALM + steps {
             let walked = carried(&motion, (k + 1).saturating_sub(CALM) as f64 * STEP, &middle);
             let frames: Vec<Frame> = defs.iter().map(|def| walked.compose(&def.root)).collect();
@@ -160,16 +171,26 @@ pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run)
             penetration = penetration.max(report.contact.penetration);
             unconverged += report.unconverged;
             rolled_back += report.quarantined;
+            if !bodies.is_empty() && (k - CALM) % LOOK == LOOK - 1 {
+                looks += ids.len() as f64;
+                // By an exact search that no model of contact takes part in.
+                let overlaps = solver.overlaps(&ids)?;
+                for (count, limit) in deep.iter_mut().zip(DEEP) {
+                    *count += overlaps.iter().filter(|overlap| overlap.bodies > limit).count() as f64;
+                }
+            }
         }
         milliseconds.sort_by(f64::total_cmp);
         let at = |part: f64| milliseconds[((milliseconds.len() - 1) as f64 * part) as usize];
         let [search, strands, contact] = phases;
         let Case { name, guides, elements, precision, .. } = case;
         let row = format!(
-            "\"{name}\",{guides},{elements},{precision:?},{:.1},{:.1},{:.1},{search:.1},{strands:.1},{contact:.1},{contacts:.0},{iterations:.2},{penetration:.1e},{unconverged},{rolled_back}",
+            "\"{name}\",{guides},{elements},{precision:?},{:.1},{:.1},{:.1},{search:.1},{strands:.1},{contact:.1},{contacts:.0},{iterations:.2},{penetration:.1e},{unconverged},{rolled_back},{:.4},{:.4}",
             at(0.5),
             at(0.9),
-            at(1.0)
+            at(1.0),
+            deep[0] / f64::max(looks, 1.0),
+            deep[1] / f64::max(looks, 1.0),
         );
         println!("{row}");
         writeln!(csv, "{row}")?;

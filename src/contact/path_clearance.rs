@@ -11,7 +11,7 @@ use super::body::BodyAt;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::{Bounds, Separator, Sides};
 use crate::math::frame::Frame;
-use crate::math::rotation::rotation_vector;
+use crate::math::rotation::angle_at_most;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
@@ -52,6 +52,12 @@ pub struct ClearanceScratch {
 }
 
 impl ClearanceScratch {
+    /// For the elements at the step's end, world axes, about the root. Where they are at hand they need not be placed again; else the list
+    /// must be empty.
+    pub fn elements_at_end(&mut self) -> &mut Vec<ElementState<f64>> {
+        &mut self.world[1]
+    }
+
     /// Brings the elements at one end of the step into the axes of a body that is there then.
     fn turn(&mut self, end: usize, body: &Frame) {
         let axes = rotation_matrix(body);
@@ -122,7 +128,7 @@ pub fn can_decide(body: &BodyAt) -> bool {
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
+    /// Whether, with its elements at the end in the scratch or none ([`ClearanceScratch::elements_at_end`]), no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
     /// where 256 balls, or 64 chords, do not decide it, and for a body whose distances cannot ([`can_decide`]).
     pub fn is_clear_of<'a>(
         &self,
@@ -143,7 +149,9 @@ impl FreePath<'_> {
     /// A box around its surface at all times.
     fn around(&self, scratch: &mut ClearanceScratch) -> Bounds {
         scratch.world[0].clear();
-        self.place(1, scratch);
+        if scratch.world[1].is_empty() {
+            self.place(1, scratch);
+        }
         let (mut around, mut start) = (Bounds::EMPTY, 0.0);
         let to = self.root[1].origin;
         for (state, displacement) in scratch.world[1].iter().zip(self.displacements(&self.root)) {
@@ -197,7 +205,7 @@ impl FreePath<'_> {
     /// the angle by which tangents turned.
     fn displacements(&self, [from, to]: &[Frame; 2]) -> impl Iterator<Item = f64> {
         let mut displacement = (to.origin - from.origin).norm();
-        let mut angle = rotation_vector(&(to.rotation * from.rotation.inverse())).norm();
+        let mut angle = angle_at_most(&(to.rotation * from.rotation.inverse()));
         self.lengths.iter().zip(self.curvatures[0].iter().zip(self.curvatures[1])).map(move |(length, (before, after))| {
             let turned = Vec3(std::array::from_fn(|axis| after[axis] - before[axis])).norm_squared().sqrt() * length;
             displacement += (angle + 0.5 * turned) * length;

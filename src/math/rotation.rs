@@ -16,6 +16,13 @@ pub fn rotation_vector(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
     vector * (2.0 * arc_tangent(sine, scalar) / sine)
 }
 
+/// A number at or above the angle of a rotation, and the nearer the smaller it is.
+pub fn angle_at_most(rotation: &UnitQuaternion<f64>) -> f64 {
+    let sine = rotation.quaternion().imag().norm();
+    // Of the arc sine's series all terms after the first are at most its sum at 1 less that, times s³.
+    2.0 * (sine + (std::f64::consts::FRAC_PI_2 - 1.0) * sine * sine * sine)
+}
+
 /// The rotation of a rotation vector.
 pub fn from_rotation_vector(vector: Vector3<f64>) -> UnitQuaternion<f64> {
     let half = 0.5 * vector.norm();
@@ -134,6 +141,16 @@ mod tests {
             assert!((back - vector).norm() < 1e-14 * (1.0 + vector.norm()), "{vector} {back}");
             let direct = UnitQuaternion::from_scaled_axis(vector);
             assert!(from_rotation_vector(vector).angle_to(&direct) < 1e-14);
+        }
+    }
+
+    #[test]
+    fn an_angle_is_bounded_closely() {
+        for k in 0..=1000 {
+            let angle = std::f64::consts::PI * f64::from(k) / 1000.0;
+            let rotation = from_rotation_vector(Vector3::new(0.6, 0.0, -0.8) * angle);
+            let bound = angle_at_most(&rotation);
+            assert!(bound >= angle - 1e-15 && bound - angle <= 0.11 * angle * angle * angle, "{angle} {bound}");
         }
     }
 

@@ -5,6 +5,7 @@
 
 use super::at_points::{AtPoints, NearBodies};
 use super::strand::{self, Constrained, Strand, Tally};
+use super::trial_steps::Trials;
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
@@ -12,7 +13,7 @@ use crate::math::prefetch::prefetch;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::rod::target::TargetAt;
-use crate::step::members::{One, OneTouches, Pack, PackKey};
+use crate::step::members::{One, OneTouches, Pack, PackKey, StepEnd};
 use crate::step::options::Integrator;
 use crate::step::point_contacts::{PointContact, PointContactOptions, Surfaces};
 use crate::step::scratch::StepScratch;
@@ -23,22 +24,13 @@ use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 /// cache between substeps.
 pub(super) const MAX_TASK: usize = 256;
 
-/// Counts strands' steps. Those on trial are recorded by index, to be counted if they stand.
-pub(super) struct TrialTally<'a> {
-    pub all: &'a mut Tally,
-    pub on_trial: &'a mut [StrandOutcome],
+/// What the strands of a task may meet in a substep, and the count of their steps.
+pub(super) struct Task<'a> {
+    pub tally: &'a mut Tally,
+    /// What decides about strands on trial, if there may be any.
+    pub trials: Option<Trials<'a>>,
     /// What strands touch at their points, if that is how contact is answered.
     pub at_points: Option<AtPoints<'a>>,
-}
-
-impl TrialTally<'_> {
-    fn add(&mut self, index: usize, strand: &Strand, outcome: &StrandOutcome) {
-        if strand.constrained == Constrained::OnTrial {
-            self.on_trial[index] = *outcome;
-        } else {
-            self.all.add(outcome);
-        }
-    }
 }
 
 /// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`constrained_substep`). If
@@ -48,7 +40,7 @@ pub(super) fn take(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    tally: &mut TrialTally,
+    task: &mut Task,
     scratch: &mut StepScratch,
     meter: &Meter,
 ) {
@@ -57,14 +49,14 @@ pub(super) fn take(
     for index in &aside {
         let strand = &mut strands[*index];
         let stays = strand.frozen.is_some();
-        tally.all.add(&if stays {
+        task.tally.add(&if stays {
             strand.stay(setting.surroundings.gravity.into(), h, setting.rules)
         } else {
             strand.step_home(h, setting.rules)
         });
         strand.constrained = Constrained::Yes;
     }
-    take_present(strands, setting, h, set, tally, scratch, meter);
+    take_present(strands, setting, h, set, task, scratch, meter);
     for index in &aside {
         strands[*index].constrained = Constrained::No;
     }
@@ -76,14 +68,18 @@ fn take_present(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    tally: &mut TrialTally,
+    task: &mut Task,
     scratch: &mut StepScratch,
     meter: &Meter,
 ) {
     if meter.is_halted() {
-        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_constrained()) {
-            let outcome = strand.go_with_root(h, &[]);
-            tally.add(index, strand, &outcome);
+        for strand in strands.iter_mut().filter(|strand| !strand.is_constrained()) {
+            if strand.constrained == Constrained::OnTrial {
+                // There is no time to try.
+                strand.constrained = Constrained::Perhaps;
+            } else {
+                task.tally.add(&strand.go_with_root(h, &[]));
+            }
         }
         return;
     }
@@ -94,7 +90,7 @@ fn take_present(
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
         for index in 0..strands.len() {
             if !strands[index].is_constrained() {
-                take_one(strands, index, setting, h, tally, scratch);
+                take_one(&mut strands[index], setting, h, task, scratch);
             }
         }
         return;
@@ -108,7 +104,7 @@ fn take_present(
         }
         let touches = strand.constrained == Constrained::AtPoints;
         if strand.state.subdivision.min(subdivision::levels(setting.options, touches)) > 0 {
-            take_one(strands, index, setting, h, tally, scratch);
+            take_one(&mut strands[index], setting, h, task, scratch);
         } else {
             let kind = PackKey::of(
                 &strand.model,
@@ -130,7 +126,7 @@ fn take_present(
             for (_, _, index) in order[next..].iter().take(width) {
                 foresee(&strands[*index as usize]);
             }
-            take_pack(strands, pack, setting, h, set, tally, scratch);
+            take_pack(strands, pack, setting, h, set, task, scratch);
         }
     }
 }
@@ -155,45 +151,78 @@ fn take_pack(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    tally: &mut TrialTally,
+    task: &mut Task,
     scratch: &mut StepScratch,
 ) {
     if let [(_, _, index)] = pack {
-        return take_one(strands, *index as usize, setting, h, tally, scratch);
+        return take_one(&mut strands[*index as usize], setting, h, task, scratch);
     }
     let mut indices = [0; MAX_LANES];
     for (lane, (_, _, index)) in pack.iter().enumerate() {
         indices[lane] = *index as usize;
     }
     let touches = strands[indices[0]].constrained == Constrained::AtPoints;
-    let mut at_points = tally.at_points.as_mut().filter(|_| touches);
+    let mut at_points = task.at_points.as_mut().filter(|_| touches);
     let near = at_points.as_mut().map(|at_points| at_points.find_near(indices[..pack.len()].iter().map(|k| &strands[*k]), h));
-    let mut picked = Picked { strands, indices: &indices[..pack.len()], at_points, near: near.as_ref() };
+    let (indices, trials) = (&indices[..pack.len()], task.trials.as_mut());
+    let mut picked = Picked { strands, indices, at_points, near: near.as_ref(), trials, refused: 0 };
     let outcomes = packs::take(&mut picked, setting, h, set, scratch);
-    if let (Some(at_points), Some(near)) = (tally.at_points.as_mut(), near) {
+    let refused = picked.refused;
+    if let (Some(at_points), Some(near)) = (task.at_points.as_mut(), near) {
         at_points.give_back(near);
     }
-    for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
+    for (lane, (index, outcome)) in indices.iter().zip(&outcomes).enumerate() {
         let strand = &mut strands[*index];
-        let outcome = if touches {
+        if refused & 1 << lane != 0 {
+            strand.constrained = Constrained::Perhaps;
+        } else if touches {
             strand.state.subdivision = 0;
-            *outcome
+            end(strand, *outcome, setting, h, task, scratch);
+        } else if subdivision::is_kept(setting.options, false, outcome) {
+            let outcome = strand.with_one(|one| step::finish(setting, one, h, outcome, scratch));
+            end(strand, outcome, setting, h, task, scratch);
         } else {
-            strand.with_one(|one| step::finish(setting, one, h, outcome, scratch))
-        };
-        tally.add(*index, strand, &outcome);
-        strand.ended(outcome, setting, h, &[], scratch);
+            take_alone(strand, setting, h, task, scratch, |one, scratch| step::finish(setting, one, h, outcome, scratch));
+        }
     }
 }
 
-fn take_one(strands: &mut [Strand], index: usize, setting: &Setting, h: f64, tally: &mut TrialTally, scratch: &mut StepScratch) {
-    let strand = &mut strands[index];
-    let outcome = match tally.at_points.as_mut().filter(|_| strand.constrained == Constrained::AtPoints) {
-        Some(at_points) => take_one_at_points(strand, at_points, setting, h, scratch),
-        None => strand.with_one(|one| step::take(setting, one, h, scratch)),
+fn take_one(strand: &mut Strand, setting: &Setting, h: f64, task: &mut Task, scratch: &mut StepScratch) {
+    match task.at_points.as_mut().filter(|_| strand.constrained == Constrained::AtPoints) {
+        Some(at_points) => {
+            let outcome = take_one_at_points(strand, at_points, setting, h, scratch);
+            end(strand, outcome, setting, h, task, scratch);
+        }
+        None => take_alone(strand, setting, h, task, scratch, |one, scratch| step::take(setting, one, h, scratch)),
+    }
+}
+
+/// Takes a strand by itself, whose state changes on the way. One on trial that meets a body is left as it was.
+fn take_alone(
+    strand: &mut Strand,
+    setting: &Setting,
+    h: f64,
+    task: &mut Task,
+    scratch: &mut StepScratch,
+    step: impl FnOnce(&mut One, &mut StepScratch) -> StrandOutcome,
+) {
+    let outcome = match task.trials.as_mut().filter(|_| strand.constrained == Constrained::OnTrial) {
+        Some(trials) => trials.take(strand, h, |strand| strand.with_one(|one| step(one, scratch))),
+        None => Some(strand.with_one(|one| step(one, scratch))),
     };
-    tally.add(index, strand, &outcome);
+    match outcome {
+        Some(outcome) => end(strand, outcome, setting, h, task, scratch),
+        None => strand.constrained = Constrained::Perhaps,
+    }
+}
+
+/// Ends the step of a strand that it keeps.
+fn end(strand: &mut Strand, outcome: StrandOutcome, setting: &Setting, h: f64, task: &mut Task, scratch: &mut StepScratch) {
+    task.tally.add(&outcome);
     strand.ended(outcome, setting, h, &[], scratch);
+    if strand.constrained == Constrained::OnTrial {
+        strand.constrained = Constrained::No;
+    }
 }
 
 fn take_one_at_points(
@@ -230,6 +259,9 @@ struct Picked<'a, 'b> {
     /// What they may touch at their points.
     at_points: Option<&'a mut AtPoints<'b>>,
     near: Option<&'a NearBodies>,
+    /// What decides about those on trial, and lanes of those that may not keep their steps.
+    trials: Option<&'a mut Trials<'b>>,
+    refused: u32,
 }
 
 impl Pack for Picked<'_, '_> {
@@ -272,5 +304,12 @@ impl Pack for Picked<'_, '_> {
         if let Some(at_points) = &mut self.at_points {
             at_points.found.depth = at_points.found.depth.max(depth);
         }
+    }
+    fn may_keep(&mut self, lane: usize, end: &dyn StepEnd) -> bool {
+        let strand = &self.strands[self.indices[lane]];
+        let trials = self.trials.as_mut().filter(|_| strand.constrained == Constrained::OnTrial);
+        let may_keep = trials.is_none_or(|trials| trials.let_stand(strand, end));
+        self.refused |= u32::from(!may_keep) << lane;
+        may_keep
     }
 }

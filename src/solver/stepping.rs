@@ -10,8 +10,9 @@ use super::constrained_substep::{Account, ConstrainedSubstep, ContactTally, Over
 use super::constraints::ConstraintStatus;
 use super::id::BodyId;
 use super::report::{Phases, StepReport, Wrench};
-use super::side_by_side::{self, TrialTally};
+use super::side_by_side::{self, Task};
 use super::strand::{Constrained, Tally, drawn_by};
+use super::trial_steps::Trials;
 use super::workers::WorkerScratch;
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
@@ -224,8 +225,8 @@ impl Solver {
             for substep in 0..substeps {
                 let halted = meter.is_halted();
                 let h = if halted { h * f64::from(substeps - substep) } else { h };
-                let mut counts = TrialTally { all: &mut tally, on_trial: &mut [], at_points: None };
-                side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);
+                let mut task = Task { tally: &mut tally, trials: None, at_points: None };
+                side_by_side::take(strands, &setting, h, set, &mut task, &mut scratch.step, meter);
                 if halted {
                     break;
                 }
@@ -380,18 +381,16 @@ impl Solver {
         let found = Mutex::new(std::mem::take(&mut self.touched));
         self.workers.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
-            if are_near {
-                scratch.trial_steps.begin(strands, &bodies, h, meter);
+            let WorkerScratch { step, trial, touched, .. } = scratch;
+            let trials = are_near.then(|| Trials { bodies: &bodies, tolerance, scratch: trial });
+            if let Some(trials) = &trials {
+                trials.begin(strands, h, meter);
             }
-            let WorkerScratch { step, trial_steps, touched, .. } = scratch;
             let at_points = at_points.map(|options| AtPoints { bodies: &bodies, options, found: &mut *touched });
-            let mut counts = TrialTally { all: &mut tally, on_trial: trial_steps.outcomes(), at_points };
-            side_by_side::take(strands, &setting, h, set, &mut counts, step, meter);
+            let mut task = Task { tally: &mut tally, trials, at_points };
+            side_by_side::take(strands, &setting, h, set, &mut task, step, meter);
             if !touched.is_empty() {
                 found.lock().unwrap_or_else(PoisonError::into_inner).take(touched);
-            }
-            if are_near {
-                scratch.trial_steps.end(strands, &bodies, tolerance, &mut tally);
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });

@@ -1,7 +1,7 @@
 //! The workers of a step and their scratch memory.
 
 use super::at_points::Touched;
-use super::trial_steps::TrialSteps;
+use super::trial_steps::TrialScratch;
 use crate::contact::island_problem::ProblemScratch;
 use crate::step;
 
@@ -12,8 +12,8 @@ pub(super) struct WorkerScratch {
     pub step: step::scratch::StepScratch,
     /// For islands of constrained strands, one at a time.
     pub problem: ProblemScratch,
-    /// For strands near bodies, one task at a time.
-    pub trial_steps: TrialSteps,
+    /// For strands near bodies, one at a time.
+    pub trial: TrialScratch,
     /// Contacts of a task's strands at their points.
     pub touched: Touched,
 }

@@ -12,6 +12,7 @@ use super::{Surroundings, stages};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::ElementState;
 use crate::rod::strand::StrandModel;
 use crate::rod::target::TargetAt;
 
@@ -40,6 +41,18 @@ pub trait Pack {
     fn take_contact(&mut self, _lane: usize, _contact: &PointContact) {}
     /// See [`Pack::take_contact`].
     fn take_depth(&mut self, _lane: usize, _depth: f64) {}
+    /// Whether the end of a strand's step may become its state.
+    fn may_keep(&mut self, _lane: usize, _end: &dyn StepEnd) -> bool {
+        true
+    }
+}
+
+/// A strand at the end of a step.
+pub trait StepEnd {
+    /// The root's pose.
+    fn root(&self) -> Frame;
+    /// Writes the curvatures, and the elements in world axes about the root; none where the step was taken in f32.
+    fn write(&self, model: &StrandModel, curvatures: &mut Vec<[f64; 3]>, elements: &mut Vec<ElementState<f64>>);
 }
 
 /// The pack key: what strands must share to step side by side, as one number. It holds the number of elements, the quadrature

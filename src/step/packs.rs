@@ -3,7 +3,7 @@
 use super::members::Pack;
 use super::scratch::{Bench, StepScratch};
 use super::state::RuleScratch;
-use super::whole::Take;
+use super::whole::{End, Take};
 use super::{Setting, StrandOutcome, keep, subdivision};
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::lanes::InstructionSet;
@@ -24,8 +24,8 @@ pub fn width(precision: Precision, set: InstructionSet) -> usize {
 
 /// Takes strands with one [pack key](super::members::PackKey), at least two and at most [`width`], through a step of `h` seconds in
 /// one piece, side by side; none may start with substeps. Each strand gets the same bits as from [`super::take`]. An acceptable
-/// end, or that of a strand that may not be subdivided, becomes its state; the other strands stay unchanged for
-/// [`super::finish`].
+/// end, or that of a strand that may not be subdivided, becomes its state if the pack lets it ([`Pack::may_keep`]); the other strands stay
+/// unchanged for [`super::finish`].
 pub fn take(
     members: &mut dyn Pack,
     setting: &Setting,
@@ -76,7 +76,8 @@ fn in_lanes<T: Lane>(
     let Bench { workspace, elimination } = &mut **bench.get_or_insert_default();
     let outcomes = T::call(Take { members, setting, h, workspace, solver: elimination });
     for lane in 0..members.count() {
-        if subdivision::is_kept(setting.options, members.point_contact().is_some(), &outcomes[lane]) {
+        let is_kept = subdivision::is_kept(setting.options, members.point_contact().is_some(), &outcomes[lane]);
+        if is_kept && members.may_keep(lane, &End { workspace, lane }) {
             keep(members, lane, setting, h, workspace, rule);
         }
     }

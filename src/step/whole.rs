@@ -1,7 +1,7 @@
 //! A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 
 use super::context::StepContext;
-use super::members::{self, Pack};
+use super::members::{self, Pack, StepEnd};
 use super::options::Integrator;
 use super::point_contacts::Touching;
 use super::root_velocity::root_velocity;
@@ -9,8 +9,11 @@ use super::workspace::Workspace;
 use super::{Setting, StrandOutcome, linearly_implicit, stages, tableau};
 use crate::chain::system::LinearSolve;
 use crate::energy::Energies;
+use crate::math::frame::Frame;
 use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::vector::Vec3;
+use crate::rod::kinematics::{ElementState, lane_of_elements};
+use crate::rod::strand::StrandModel;
 
 /// Takes strands through a step of `h` seconds with any integrator but the reference. The strands stay unchanged, and the
 /// workspace holds the result. With the second-order integrator all of them must have a usable history, or none.
@@ -154,6 +157,50 @@ fn list_contacts<T: Lane>(members: &dyn Pack, setting: &Setting, workspace: &mut
     }
 }
 
+/// The end of the step of one strand.
+pub struct End<'a, T> {
+    /// The result.
+    pub workspace: &'a Workspace<T>,
+    /// Its lane.
+    pub lane: usize,
+}
+
+impl<T: Lane> StepEnd for End<'_, T> {
+    fn root(&self) -> Frame {
+        self.workspace.roots[self.lane]
+    }
+    fn write(&self, model: &StrandModel, curvatures: &mut Vec<[f64; 3]>, elements: &mut Vec<ElementState<f64>>) {
+        curvatures.clear();
+        curvatures.resize(model.element_count(), [0.0; 3]);
+        write_curvatures(self.workspace, self.lane, model, curvatures);
+        elements.clear();
+        if T::PRECISION == Precision::F64 {
+            lane_of_elements(&self.workspace.iterate.kinematics.elements, self.lane, elements);
+        }
+    }
+}
+
+#[inline(always)]
+fn write_curvatures<T: Lane>(workspace: &Workspace<T>, lane: usize, model: &StrandModel, curvatures: &mut [[f64; 3]]) {
+    let per_length = 1.0 / workspace.loaded.units[lane].length;
+    for (row, lanes) in curvatures.iter_mut().zip(&workspace.iterate.curvatures) {
+        for axis in 0..3 {
+            row[axis] = lanes[axis].lane(lane) * per_length;
+        }
+    }
+    if T::PRECISION == Precision::F32 {
+        for (element, (row, compensation)) in curvatures.iter_mut().zip(&workspace.iterate.compensation).enumerate() {
+            for axis in 0..3 {
+                if model.freedoms.contains(axis) {
+                    row[axis] += compensation[axis].lane(lane) * per_length;
+                } else {
+                    row[axis] = model.natural[element][axis];
+                }
+            }
+        }
+    }
+}
+
 /// Makes the end of the step the state of one strand.
 pub fn save<T: Lane>(members: &mut dyn Pack, lane: usize, setting: &Setting, h: f64, workspace: &Workspace<T>) {
     T::call(Save { members, lane, setting, h, workspace });
@@ -185,22 +232,7 @@ impl<T: Lane> Kernel for Save<'_, T> {
             state.history.step = 0.0;
         }
         let (per_length, speed) = (1.0 / units.length, units.speed());
-        for (row, lanes) in state.curvatures.iter_mut().zip(&workspace.iterate.curvatures) {
-            for axis in 0..3 {
-                row[axis] = lanes[axis].lane(lane) * per_length;
-            }
-        }
-        if T::PRECISION == Precision::F32 {
-            for (element, (row, compensation)) in state.curvatures.iter_mut().zip(&workspace.iterate.compensation).enumerate() {
-                for axis in 0..3 {
-                    if model.freedoms.contains(axis) {
-                        row[axis] += compensation[axis].lane(lane) * per_length;
-                    } else {
-                        row[axis] = model.natural[element][axis];
-                    }
-                }
-            }
-        }
+        write_curvatures(workspace, lane, model, &mut state.curvatures);
         for (row, lanes) in state.rates.iter_mut().zip(&stage.rates) {
             for axis in 0..3 {
                 row[axis] = lanes[axis].lane(lane) * (per_length / units.time);
