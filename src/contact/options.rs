@@ -23,8 +23,8 @@ pub enum ContactModel {
     /// friction is Coulomb's, all contacts as one complementarity problem solved to [`ContactOptions::residual`] (Daviet et al. 2011).
     #[default]
     Coulomb = 4,
-    /// For games and previews: contact with bodies at the strands' integration points alone (four or more an element), with Coulomb's
-    /// friction, as part of each strand's own minimisation: side by side with free strands, and in single precision too. Springs are a hundred
+    /// For games and previews: contact with bodies at the strands' integration points (four or more an element), halfway between them and at
+    /// the tip, with Coulomb's friction, as part of each strand's own minimisation: side by side with free strands, and in single precision too. Springs are a hundred
     /// times as stiff as what a point's inertia and the strand's bending put against them in the step, so that with two
     /// to four iterations most surfaces sink into each other by tenths of a millimetre, some by millimetres where a body moves fast. Strands
     /// pass and pierce what is thinner than their points are apart. Strands that collide with others or

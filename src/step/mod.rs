@@ -20,6 +20,7 @@
 //! - `options.rs`: Options of a step: integrator, linear solve, tolerances.
 //! - `packs.rs`: The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
 //! - `point_contacts.rs`: Contact at the quadrature points.
+//! - `point_probes.rs`: Where the surfaces of bodies are about a strand's quadrature points (`point_contacts.rs`).
 //! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
 //! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //! - `regrid.rs`: Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away.
@@ -53,6 +54,7 @@ pub mod newton;
 pub mod options;
 pub mod packs;
 pub mod point_contacts;
+mod point_probes;
 pub mod radau;
 pub mod reference;
 pub mod regrid;

@@ -10,16 +10,11 @@
 use super::iterate::Iterate;
 use super::line_search::lanes;
 use super::members::{Pack, Units};
+use super::point_probes::{Asks, Known, Line, Point, Start};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
 use crate::math::vector::Vec3;
-
-/// Surfaces this near may touch a point that lay on them when the step began, m.
-const NEAR: f64 = 1e-3;
-
-/// The most that a gap changes over a distance, see `Shape::distance_slope`.
-const SLOPE: f64 = 1.25;
 
 /// How far a strand with contacts may be from convergence, rad: surfaces that give way deserve no more.
 pub(super) const CONTACT_TOLERANCE: f64 = 2e-3;
@@ -91,28 +86,6 @@ pub struct PointContact {
     pub slip: Vec3<f64>,
 }
 
-/// What is known of a point of one lane.
-#[derive(Debug, Clone, Copy)]
-struct Known {
-    /// Where it was last looked at, m, world.
-    at: Vec3<f64>,
-    /// Its gap there, or less, m.
-    gap: f64,
-    /// The gap that its spring leaves, m: zero, or below where the surfaces overlapped when the step began.
-    rest: f64,
-    /// Its depth when the step began, m, as far as surfaces that overlap then come apart; `None` until it is asked for.
-    start_depth: Option<f64>,
-    /// The surface that is near.
-    surface: Option<SurfaceAtPoint>,
-    /// Whether it presses.
-    presses: bool,
-}
-
-impl Known {
-    const NOTHING: Self =
-        Self { at: Vec3([0.0; 3]), gap: f64::NEG_INFINITY, rest: 0.0, start_depth: None, surface: None, presses: false };
-}
-
 /// The springs of contact, with what is known of every point.
 #[derive(Debug, Clone)]
 pub struct PointContacts<T> {
@@ -126,10 +99,11 @@ pub struct PointContacts<T> {
     /// Stiffnesses and targets of the points without contact.
     free_stiffness: Vec<T>,
     free_target: Vec<Vec3<T>>,
-    /// By point and lane.
+    /// By lane, its points from root to tip.
     known: Vec<Known>,
-    /// Memory for the points of a lane that are asked.
-    asked: Vec<Asked>,
+    starts: Vec<Start>,
+    /// Memory for the points of a lane.
+    points: Vec<Point>,
     /// The deepest overlap at the end, by lane, m; below zero for none.
     pub depth: [f64; MAX_LANES],
 }
@@ -144,7 +118,8 @@ impl<T> Default for PointContacts<T> {
             free_stiffness: Vec::new(),
             free_target: Vec::new(),
             known: Vec::new(),
-            asked: Vec::new(),
+            starts: Vec::new(),
+            points: Vec::new(),
             depth: [f64::NEG_INFINITY; MAX_LANES],
         }
     }
@@ -167,55 +142,24 @@ pub struct Touching<'a> {
 /// Where the points of a lane are.
 struct Places {
     unit: f64,
-    start: Vec3<f64>,
     end: Vec3<f64>,
 }
 
 impl Places {
     #[inline(always)]
     fn of(touching: &Touching, lane: usize) -> Self {
-        let (start, end) = (touching.members.state(lane).root.origin, touching.roots[lane].origin);
-        Self { unit: touching.units[lane].length, start: start.into(), end: end.into() }
+        Self { unit: touching.units[lane].length, end: touching.roots[lane].origin.into() }
     }
 
-    /// At the start of the step and now, world.
+    /// A point now, m, world.
     #[inline(always)]
-    fn point<T: Lane>(&self, it: &Iterate<T>, p: usize, lane: usize) -> [Vec3<f64>; 2] {
+    fn now<T: Lane>(&self, it: &Iterate<T>, p: usize, lane: usize) -> Vec3<f64> {
         let lane_of = |vector: &Vec3<T>| super::members::lane_of(vector, lane, self.unit);
         let mut now = lane_of(&it.kinematics.points[p].position);
         if T::PRECISION == Precision::F32 {
             now += lane_of(&it.point_compensation[p]);
         }
-        [self.start + lane_of(&it.point_base[p]), self.end + now]
-    }
-}
-
-/// A point of which a surface was asked.
-#[derive(Debug, Clone)]
-struct Asked {
-    p: usize,
-    /// At the start of the step and now.
-    places: [Vec3<f64>; 2],
-    known: Known,
-    next: Known,
-}
-
-/// Two points next to each other that surfaces push against each other lie on the two sides of something thin, which the strand pierces. No
-/// force along the strand brings it out.
-fn leave_pierced(asked: &mut [Asked]) {
-    let normal = |of: &Asked| of.next.surface.filter(|_| of.next.presses).map(|surface| surface.normal);
-    let opposed = |pair: &[Asked]| {
-        let (Some(a), Some(b)) = (normal(&pair[0]), normal(&pair[1])) else { return false };
-        pair[1].p == pair[0].p + 1 && a.dot(b) < 0.0
-    };
-    let mut was = false;
-    for k in 0..asked.len() {
-        let is = k + 1 < asked.len() && opposed(&asked[k..k + 2]);
-        if was || is {
-            let next = &mut asked[k].next;
-            (next.presses, next.surface) = (false, None);
-        }
-        was = is;
+        self.end + now
     }
 }
 
@@ -239,6 +183,14 @@ impl Touching<'_> {
         refill(&mut contacts.anchors, points, Vec3::zero());
         refill(&mut system.normals, points, Vec3::zero());
         refill(&mut contacts.known, points * T::LANES, Known::NOTHING);
+        contacts.starts.clear();
+        for lane in 0..T::LANES {
+            // (Lanes without a strand repeat the first.)
+            let member = if lane < self.members.count() { lane } else { 0 };
+            let (unit, origin) = (self.units[lane].length, Vec3::from(self.members.state(member).root.origin));
+            let start = |(base, arclength)| Start { arclength, at: origin + super::members::lane_of(base, lane, unit) };
+            contacts.starts.extend(it.point_base.iter().zip(self.arclengths(member)).map(start));
+        }
         contacts.free_stiffness.clone_from(&system.point_stiffness);
         contacts.free_target.clone_from(&it.point_target);
         contacts.depth = [f64::NEG_INFINITY; MAX_LANES];
@@ -272,59 +224,33 @@ impl Touching<'_> {
         is_first: bool,
         has_set: &mut bool,
     ) -> f64 {
-        let places = Places::of(self, lane);
-        let margin = if is_first { NEAR } else { 0.0 };
         let mut uncovered = 0.0_f64;
-        let mut last: Option<(Vec3<f64>, f64)> = None;
-        let mut asked = std::mem::take(&mut it.contacts.asked);
-        asked.clear();
-        for (p, arclength) in self.arclengths(lane).enumerate() {
-            let known = it.contacts.known[p * T::LANES + lane];
-            let [start, now] = places.point(it, p, lane);
-            if !known.presses {
-                let at_least = known.gap - SLOPE * (now - known.at).norm_squared().sqrt();
-                let by_neighbour = last.map_or(f64::NEG_INFINITY, |(at, gap)| gap - SLOPE * (now - at).norm_squared().sqrt());
-                if at_least > margin {
-                    last = Some((now, at_least));
-                    continue;
-                }
-                if by_neighbour > margin {
-                    last = Some((now, by_neighbour));
-                    it.contacts.known[p * T::LANES + lane] = Known { at: now, gap: by_neighbour, ..known };
-                    continue;
-                }
-            }
-            let mut next = Known { at: now, presses: false, surface: None, ..known };
-            let mut permitted = 0.0;
-            match surfaces.nearest(arclength, now) {
-                Err(at_least) => next.gap = at_least,
-                Ok(surface) => {
-                    (next.gap, permitted) = (surface.gap, surface.permitted);
-                    if surface.gap < NEAR {
-                        next.surface = Some(surface);
-                        if next.start_depth.is_none() {
-                            let depth = surfaces.depth_at_start(arclength, surface.body, start).max(0.0);
-                            next.rest = -(depth - self.options.separation).max(0.0);
-                            next.start_depth = Some(depth.min(self.options.separation));
-                        }
-                    }
-                    let lay_on_it = is_first && next.start_depth.is_some_and(|depth| depth > 0.0);
-                    next.presses = surface.gap < next.rest || lay_on_it;
-                }
-            }
-            last = Some((now, next.gap - permitted));
-            asked.push(Asked { p, places: [start, now], known, next });
-        }
-        leave_pierced(&mut asked);
-        for Asked { p, places: at, known, next } in &asked {
-            if known.surface.is_some() || next.surface.is_some() {
-                uncovered = uncovered.max(self.set_springs(it, &places, *p, lane, [known, next], *at, is_first));
+        let places = self.with_line(it, lane, |line| {
+            line.ask(&Asks { surfaces, is_first, separation: self.options.separation });
+        });
+        for p in 0..it.contacts.points.len() {
+            let place = lane * it.contacts.points.len() + p;
+            if it.contacts.points[p].was_near || it.contacts.known[place].surface.is_some() {
+                let known = it.contacts.known[place];
+                uncovered = uncovered.max(self.set_springs(it, &places, p, lane, &known, is_first));
                 *has_set = true;
             }
-            it.contacts.known[p * T::LANES + lane] = *next;
         }
-        it.contacts.asked = asked;
         uncovered
+    }
+
+    /// Calls `work` with the points of a lane.
+    fn with_line<T: Lane>(&self, it: &mut Iterate<T>, lane: usize, work: impl FnOnce(&mut Line)) -> Places {
+        let places = Places::of(self, lane);
+        let mut points = std::mem::take(&mut it.contacts.points);
+        points.clear();
+        points.extend((0..it.point_base.len()).map(|p| Point::new(places.now(it, p, lane))));
+        let PointContacts { known, starts, .. } = &mut it.contacts;
+        let own = lane * points.len()..(lane + 1) * points.len();
+        let length = self.members.model(lane).length();
+        work(&mut Line { points: &mut points, starts: &starts[own.clone()], known: &mut known[own], length });
+        it.contacts.points = points;
+        places
     }
 
     /// Arclengths of a strand's points from the root, m.
@@ -353,15 +279,16 @@ impl Touching<'_> {
         places: &Places,
         p: usize,
         lane: usize,
-        [known, next]: [&Known; 2],
-        [start, now]: [Vec3<f64>; 2],
+        next: &Known,
         is_first: bool,
     ) -> f64 {
+        let Point { now, was_near, pressed, .. } = it.contacts.points[p];
+        let start = it.contacts.starts[lane * it.contacts.points.len() + p].at;
         let unit = self.units[lane].force() / places.unit;
         let resists = self.resists(it.contacts.free_stiffness[p].lane(lane) * unit, p, lane);
         // Forces before, along the normal and along the surface.
         let had_friction = it.contacts.friction[p].lane(lane) * unit;
-        let had = if known.surface.is_some() { (-self.planar_gap(it, places, p, lane, now)).max(0.0) } else { 0.0 };
+        let had = if was_near { (-self.planar_gap(it, places, p, lane, now)).max(0.0) } else { 0.0 };
         let Some(surface) = &next.surface else {
             for list in [&mut it.system.normal_stiffness, &mut it.contacts.planes, &mut it.contacts.friction] {
                 list[p].set_lane(lane, 0.0);
@@ -371,7 +298,7 @@ impl Touching<'_> {
         let (normal, stiffness) = (surface.normal, STIFFNESS * resists);
         let depth = (next.rest - surface.gap).max(0.0);
         // A point that has just come has no force yet that tells of friction, but what it had when the step began.
-        let bears = if known.presses && !is_first { depth } else { next.start_depth.unwrap_or(0.0) };
+        let bears = if pressed && !is_first { depth } else { next.held };
         let bears = bears.min(self.options.holding_depth);
         let slip = tangential((now - start) - surface.carried, normal);
         let distance = slip.norm_squared().sqrt();
@@ -436,33 +363,18 @@ impl Touching<'_> {
 
     /// Lanes with contacts.
     pub fn with_contacts<T: Lane>(&self, it: &Iterate<T>, running: u32) -> u32 {
-        let of_lane = |lane: usize| it.contacts.known.iter().skip(lane).step_by(T::LANES);
-        lanes(running).filter(|lane| of_lane(*lane).any(|known| known.presses)).fold(0, |set, lane| set | 1 << lane)
+        let of_lane = |lane: usize| &it.contacts.known[lane * it.point_base.len()..][..it.point_base.len()];
+        lanes(running).filter(|lane| of_lane(*lane).iter().any(|known| known.presses)).fold(0, |set, lane| set | 1 << lane)
     }
 
     /// Measures the overlaps at the end of a step.
     pub fn measure<T: Lane>(&self, it: &mut Iterate<T>, active: u32) {
         for lane in lanes(active) {
-            let places = Places::of(self, lane);
-            let mut deepest = f64::NEG_INFINITY;
+            let mut smallest = f64::INFINITY;
             self.members.with_surfaces(lane, &mut |surfaces| {
-                for (p, arclength) in self.arclengths(lane).enumerate() {
-                    let known = it.contacts.known[p * T::LANES + lane];
-                    let [_, now] = places.point(it, p, lane);
-                    let moved = SLOPE * (now - known.at).norm_squared().sqrt();
-                    if !known.presses && known.gap - moved > 0.0 {
-                        continue;
-                    }
-                    let mut gap = known.gap;
-                    if moved > 0.0 {
-                        gap = surfaces.nearest(arclength, now).map_or_else(|gap| gap, |surface| surface.gap);
-                    }
-                    let known = &mut it.contacts.known[p * T::LANES + lane];
-                    (known.at, known.gap) = (now, gap);
-                    deepest = deepest.max(-gap);
-                }
+                self.with_line(it, lane, |line| smallest = line.measure(surfaces));
             });
-            it.contacts.depth[lane] = deepest;
+            it.contacts.depth[lane] = -smallest;
         }
     }
 
@@ -472,9 +384,10 @@ impl Touching<'_> {
         for lane in lanes(active) {
             let (places, per_step) = (Places::of(self, lane), 1.0 / h);
             for (p, velocity) in velocities.iter_mut().enumerate() {
-                let known = &it.contacts.known[p * T::LANES + lane];
+                let place = lane * it.point_base.len() + p;
+                let known = &it.contacts.known[place];
                 let Some(surface) = known.surface.as_ref().filter(|_| known.presses) else { continue };
-                let [start, now] = places.point(it, p, lane);
+                let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
                 let (moved, carried) = ((now - start).scale(per_step), surface.carried.scale(per_step));
                 let away = surface.normal.dot(moved - carried).max(0.0);
                 let moved = moved - surface.normal.scale(away);
@@ -487,12 +400,16 @@ impl Touching<'_> {
     pub fn for_each_contact<T: Lane>(&self, it: &Iterate<T>, lane: usize, mut take: impl FnMut(PointContact)) {
         let places = Places::of(self, lane);
         for (p, arclength) in self.arclengths(lane).enumerate() {
-            let known = &it.contacts.known[p * T::LANES + lane];
-            let Some(surface) = known.surface else { continue };
-            let [start, now] = places.point(it, p, lane);
+            let place = lane * it.point_base.len() + p;
+            let Known { surface: Some(mut surface), rest, .. } = it.contacts.known[place] else { continue };
+            let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
             let overlap = -self.planar_gap(it, &places, p, lane, now);
             if overlap <= 0.0 {
                 continue;
+            }
+            if surface.gap == f64::INFINITY {
+                // It overlaps nothing any more, but by its plane it presses.
+                surface.gap = rest - overlap;
             }
             let unit = self.units[lane].force() / places.unit;
             let friction = it.contacts.friction[p].lane(lane) * unit;
@@ -500,7 +417,6 @@ impl Touching<'_> {
             let anchor = places.end + super::members::lane_of(&it.contacts.anchors[p], lane, places.unit);
             let force = surface.normal.scale(stiffness * overlap) + tangential(anchor - now, surface.normal).scale(friction);
             let slip = tangential((now - start) - surface.carried, surface.normal);
-            let surface = SurfaceAtPoint { gap: known.gap, ..surface };
             take(PointContact { arclength, position: now, surface, force, slip });
         }
     }

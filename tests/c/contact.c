@@ -76,6 +76,46 @@ static void rest(shx_solver *solver, shx_strand_id strand, shx_body_id id) {
   EXPECT(report.max_penetration < 1e-5 && report.unconverged_islands == 0);
 }
 
+/* The same with contact at points: on a ball, and across the edge of a mesh. Surfaces give way there. */
+static void at_points(void) {
+  const float corners[6][3] = {{0, -0.05f, 0}, {0, 0.05f, 0}, {-0.02f, -0.05f, -0.03f}, {0.02f, -0.05f, -0.03f}, {-0.02f, 0.05f, -0.03f}, {0.02f, 0.05f, -0.03f}};
+  const uint32_t triangles[8][3] = {{0, 3, 1}, {1, 3, 5}, {0, 1, 2}, {1, 4, 2}, {0, 2, 3}, {1, 5, 4}, {2, 4, 3}, {3, 4, 5}};
+  const shx_input vertices = {corners, 0, 6, SHX_FORMAT_F32X3, 0};
+  for (int edge = 0; edge < 2; edge++) {
+    shx_solver *solver;
+    EXPECT(shx_solver_create(NULL, &solver) == SHX_OK);
+    const shx_strand_id strand = add_strand(solver, 0);
+    shx_contact_options options;
+    EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK);
+    options.model = SHX_CONTACT_AT_POINTS;
+    EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
+    shx_strand_contact contact;
+    EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
+    EXPECT(shx_solver_set_strand_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
+    shx_body_def def = body(edge ? SHX_SHAPE_MESH : SHX_SHAPE_SPHERE);
+    shx_body_id id;
+    if (edge) {
+      def.vertices = vertices;
+      def.triangles = &triangles[0][0];
+      def.triangle_count = 8;
+    } else {
+      def.radius = 0.03;
+    }
+    def.pose = at(0.05, 0, edge ? -0.005 : -0.032);
+    EXPECT(shx_solver_add_bodies(solver, &def, sizeof def, 1, &id) == SHX_OK);
+    shx_step_report report;
+    steps(solver, 240, &report);
+    double force[3], torque[3], root[3];
+    const shx_output force_out = {force, 0, 1, SHX_FORMAT_F64X3, 0}, torque_out = {torque, 0, 1, SHX_FORMAT_F64X3, 0};
+    const shx_output root_out = {root, 0, 1, SHX_FORMAT_F64X3, 0};
+    EXPECT(shx_solver_body_wrenches(solver, &id, 1, &force_out, &torque_out) == SHX_OK);
+    EXPECT(shx_solver_root_wrenches(solver, &strand, 1, &root_out, NULL) == SHX_OK);
+    EXPECT(report.contacts > 0 && report.max_penetration < 5e-4);
+    EXPECT(force[2] < -0.1 * weight && fabs(-force[2] - root[2] - weight) < 0.05 * weight);
+    shx_solver_destroy(solver);
+  }
+}
+
 static void bodies(void) {
   shx_solver *solver;
   EXPECT(shx_solver_create(NULL, &solver) == SHX_OK);
@@ -423,6 +463,7 @@ static void overlaps(void) {
 
 int main(void) {
   bodies();
+  at_points();
   shared_shapes();
   grids();
   constraints();

@@ -181,6 +181,131 @@ fn hair_lies_on_a_turning_ball_of_any_shape() {
     }
 }
 
+/// A strand that comes down on a thin rod hangs over it, wherever between its points that is.
+#[test]
+fn a_thin_rod_between_the_points_bears_a_strand() {
+    let (radius, below) = (4e-3, 4.5e-3);
+    let rod = Shape::new_capsule(Vector3::new(0.0, -0.05, 0.0), Vector3::new(0.0, 0.05, 0.0), radius).unwrap();
+    let rod = Arc::new(rod);
+    for mm in 90..112 {
+        let at = Vector3::new(1e-3 * f64::from(mm), 0.0, -below);
+        let mut solver = solver(ContactModel::AtPoints, Vector3::new(0.0, 0.0, -GRAVITY));
+        let id = solver.add_strands(&[StrandDef::straight(0.2, 10)]).unwrap()[0];
+        solver.add_bodies(vec![BodyDef { pose: Frame { origin: at, ..Frame::default() }, ..BodyDef::new(rod.clone()) }]).unwrap();
+        solver.set_contact(&[id], Some(&StrandContact::default())).unwrap();
+        let (mut report, mut worst) = (superhelix::StepReport::default(), f64::INFINITY);
+        for _ in 0..120 {
+            report = solver.step(STEP, 1).unwrap();
+            let along: Vec<f64> = (0..=400).map(|k| 5e-4 * f64::from(k)).collect();
+            let mut gap = f64::INFINITY;
+            solver
+                .sample_at(id, &along, |_, sample| {
+                    let off = sample.position - at;
+                    // Below the rod it would have fallen through.
+                    gap = gap.min(Vector3::new(off.x, 0.0, off.z).norm() - radius);
+                    assert!(off.norm() > 3.0 * radius || off.x.abs() > 1e-3 || off.z > 0.0, "{mm} mm: {off:?}");
+                })
+                .unwrap();
+            worst = worst.min(gap);
+        }
+        let borne: Vector3<f64> = solver.contacts().iter().map(|contact| contact.force).sum();
+        println!("{mm} mm: worst {worst:e}, force {borne:?}, {report:?}");
+        assert!(worst > -8e-4, "{mm} mm: {worst}");
+        assert!(borne.z > 0.0 && report.contact.penetration < 8e-4, "{mm} mm: {report:?}");
+    }
+}
+
+/// The tip lies beyond the last point and stays out of a floor on which the strand is let down.
+#[test]
+fn a_tip_that_is_let_down_stays_out_of_the_floor() {
+    let mut solver = solver(ContactModel::AtPoints, Vector3::new(0.0, 0.0, -GRAVITY));
+    let mut def = lying(10);
+    let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
+    def.root = Frame { origin: Vector3::new(0.0, 0.0, 0.205), rotation: down };
+    def.natural = vec![[0.0, 2.0, 0.0]; 10];
+    let id = solver.add_strands(&[def.clone()]).unwrap()[0];
+    solver.add_bodies(vec![floor()]).unwrap();
+    solver.set_contact(&[id], Some(&StrandContact::default())).unwrap();
+    let (mut lowest, mut touched) = (f64::INFINITY, 0);
+    for step in 0..180 {
+        let origin = def.root.origin - Vector3::z() * (5e-4 * f64::from(step + 1)).min(0.05);
+        solver.set_root_frames(&[id], &[Frame { origin, ..def.root }], STEP).unwrap();
+        touched += solver.step(STEP, 1).unwrap().contact.contacts;
+        lowest = lowest.min(tip(&solver, id, 0.2).z);
+    }
+    println!("lowest {lowest:e}, {touched} contacts");
+    assert!(touched > 100, "{touched}");
+    assert!(lowest > -2e-4, "{lowest}");
+}
+
+/// A strand that goes through a thin plate, as no force along it could undo, is left in peace.
+#[test]
+fn a_strand_that_pierces_a_plate_is_not_pushed_along_itself() {
+    for mm in 0..20 {
+        let mut solver = solver(ContactModel::AtPoints, Vector3::zeros());
+        let id = solver.add_strands(&[lying(10)]).unwrap()[0];
+        let plate = BodyDef::new(Arc::new(Shape::new_box(Vector3::new(1e-3, 0.05, 0.05)).unwrap()));
+        let at = Vector3::new(0.1 + 1e-3 * f64::from(mm), 0.0, 0.0);
+        solver.add_bodies(vec![BodyDef { pose: Frame { origin: at, ..Frame::default() }, ..plate }]).unwrap();
+        solver.set_contact(&[id], Some(&StrandContact::default())).unwrap();
+        let start = tip(&solver, id, 0.2);
+        for _ in 0..30 {
+            assert_eq!(solver.step(STEP, 1).unwrap().quarantined, 0);
+        }
+        let (off, pushed) = ((tip(&solver, id, 0.2) - start).norm(), solver.root_wrench(id).unwrap().force.norm());
+        println!("{mm} mm: off {off:e}, pushed {pushed:e}");
+        assert!(off < 1e-3, "{mm} mm: {off}");
+    }
+}
+
+/// A strand lies in a groove between two bodies, and on neither alone.
+#[test]
+fn two_bodies_hold_a_strand_in_their_groove() {
+    let mut solver = solver(ContactModel::AtPoints, Vector3::new(0.0, 0.0, -GRAVITY));
+    let mut def = lying(10);
+    def.root.origin.z = 2e-3;
+    let id = solver.add_strands(&[def]).unwrap()[0];
+    let sides = [-1.0, 1.0].map(|side| BodyDef::new(Arc::new(Shape::new_half_space(Vector3::new(0.0, side, 1.0)).unwrap())));
+    let sides = solver.add_bodies(sides.to_vec()).unwrap();
+    solver.set_contact(&[id], Some(&StrandContact { friction: Friction::uniform(0.0), ..StrandContact::default() })).unwrap();
+    let mut report = superhelix::StepReport::default();
+    for _ in 0..300 {
+        report = solver.step(STEP, 1).unwrap();
+    }
+    let forces = [0, 1].map(|side| -solver.body_wrench(sides[side]).unwrap().force);
+    let end = tip(&solver, id, 0.2);
+    println!("{end:?}, {forces:?}, {report:?}");
+    assert!(report.contact.penetration < 5e-4, "{report:?}");
+    assert!(end.y.abs() < 1e-3 && end.z.abs() < 1e-3, "{end}");
+}
+
+/// A strand drawn into a body stays as it is drawn where that overlap is permitted, and comes out where it is not.
+#[test]
+fn permitted_overlaps_bear_no_force() {
+    let radius = 0.05;
+    for permitted in [true, false] {
+        let mut solver = solver(ContactModel::AtPoints, Vector3::zeros());
+        let id = solver.add_strands(&[lying(10)]).unwrap()[0];
+        let at = Vector3::new(0.12, 0.0, -radius + 2e-3);
+        let ball = BodyDef::new(Arc::new(Shape::new_sphere(radius).unwrap()));
+        solver.add_bodies(vec![BodyDef { pose: Frame { origin: at, ..Frame::default() }, ..ball }]).unwrap();
+        solver.set_contact(&[id], Some(&StrandContact::default())).unwrap();
+        if permitted {
+            let overlaps = solver.allow_overlaps(&[id]).unwrap();
+            assert!((overlaps[0].bodies - 2e-3).abs() < 1e-4, "{overlaps:?}");
+        }
+        let start = tip(&solver, id, 0.2);
+        let mut report = superhelix::StepReport::default();
+        for _ in 0..60 {
+            report = solver.step(STEP, 1).unwrap();
+        }
+        let off = (tip(&solver, id, 0.2) - start).norm();
+        println!("{permitted}: {off:e} {report:?}");
+        assert_eq!(off < 1e-6, permitted, "{off}");
+        assert!(report.contact.penetration < 1e-4, "{report:?}");
+    }
+}
+
 /// A strand that stands on the ball and falls over.
 fn on_top(k: usize, radius: f64) -> StrandDef {
     let mut def = StrandDef::straight(0.25, 10);
