@@ -1771,11 +1771,11 @@ SHX_API shx_result shx_distance_grid_bake(const shx_distance_grid_def *def, void
 // at the end of a step, and both laws are solved to residual. The default.
 #define SHX_CONTACT_COULOMB 3
 
-// For games and previews: contact with bodies at the strands' integration points alone (four or more an
-// element), with Coulomb friction, as part of the free step and in single precision too. max_iterations 2
-// to 4 is a good choice: most contacts then penetrate by tenths of a millimetre, some by millimetres where
-// a body moves fast. Strands pass or pierce what is thinner than their points are apart. Strands that
-// collide with strands or have constraints use SHX_CONTACT_PENALTY.
+// For games and previews: contact with bodies at the strands' integration points (four or more an element),
+// halfway between them and at the tip, with Coulomb friction, as part of the free step and in single
+// precision too. max_iterations 2 to 4 is a good choice: most contacts then penetrate by tenths of a
+// millimetre, some by millimetres where a body moves fast. Strands pass or pierce what is thinner than
+// their points are apart. Strands that collide with strands or have constraints use SHX_CONTACT_PENALTY.
 #define SHX_CONTACT_AT_POINTS 4
 
 // How a solver handles contact. Fill it with shx_contact_options_init.
