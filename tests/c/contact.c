@@ -110,7 +110,8 @@ static void at_points(void) {
     const shx_output root_out = {root, 0, 1, SHX_FORMAT_F64X3, 0};
     EXPECT(shx_solver_body_wrenches(solver, &id, 1, &force_out, &torque_out) == SHX_OK);
     EXPECT(shx_solver_root_wrenches(solver, &strand, 1, &root_out, NULL) == SHX_OK);
-    EXPECT(report.contacts > 0 && report.max_penetration < 5e-4);
+    /* Between two places 3 mm apart an edge this sharp may stand in the strand by half of that. */
+    EXPECT(report.contacts > 0 && report.max_penetration < (edge ? 1.5e-3 : 5e-4));
     EXPECT(force[2] < -0.1 * weight && fabs(-force[2] - root[2] - weight) < 0.05 * weight);
     shx_solver_destroy(solver);
   }
