@@ -401,15 +401,11 @@ impl Touching<'_> {
         let places = Places::of(self, lane);
         for (p, arclength) in self.arclengths(lane).enumerate() {
             let place = lane * it.point_base.len() + p;
-            let Known { surface: Some(mut surface), rest, .. } = it.contacts.known[place] else { continue };
+            let Some(surface) = it.contacts.known[place].surface else { continue };
             let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
             let overlap = -self.planar_gap(it, &places, p, lane, now);
             if overlap <= 0.0 {
                 continue;
-            }
-            if surface.gap == f64::INFINITY {
-                // It overlaps nothing any more, but by its plane it presses.
-                surface.gap = rest - overlap;
             }
             let unit = self.units[lane].force() / places.unit;
             let friction = it.contacts.friction[p].lane(lane) * unit;

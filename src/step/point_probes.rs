@@ -268,30 +268,25 @@ impl Line<'_> {
         }
     }
 
-    /// Measures the overlaps at the end of a step: sets the gap of every surface that is near, to infinity where nothing overlaps, and
-    /// returns the smallest gap of all.
+    /// Measures the gaps of the points near surfaces at the end of a step, and returns the smallest of all places; infinity where
+    /// nothing overlaps.
     pub fn measure(&mut self, surfaces: &dyn Surfaces) -> f64 {
         let mut smallest = f64::INFINITY;
-        for known in &mut *self.known {
-            if let Some(surface) = &mut known.surface {
-                surface.gap = f64::INFINITY;
-            }
-        }
         for p in 0..self.points.len() {
-            let known = &self.known[p];
-            let own = known.own.gap_now(surfaces, self.starts[p].arclength, self.points[p].now);
-            let mut beside = f64::INFINITY;
+            let (now, arclength) = (self.points[p].now, self.starts[p].arclength);
+            let mut own = self.known[p].own.gap_now(surfaces, arclength, now);
+            smallest = smallest.min(own);
+            if let Some(surface) = &mut self.known[p].surface {
+                if own == f64::INFINITY {
+                    own = surfaces.nearest(arclength, now).map_or_else(|gap| gap, |surface| surface.gap);
+                }
+                surface.gap = own;
+            }
             // (What was never asked was never near.)
-            if known.beside.gap > f64::NEG_INFINITY {
+            if self.known[p].beside.gap > f64::NEG_INFINITY {
                 let arclength = self.beside(p);
                 let now = self.place(p, arclength, |k| self.points[k].now);
-                beside = known.beside.gap_now(surfaces, arclength, now);
-            }
-            smallest = smallest.min(own).min(beside);
-            for (known, gap) in self.known[p..].iter_mut().zip([own.min(beside), beside]) {
-                if let Some(surface) = &mut known.surface {
-                    surface.gap = surface.gap.min(gap);
-                }
+                smallest = smallest.min(self.known[p].beside.gap_now(surfaces, arclength, now));
             }
         }
         smallest
