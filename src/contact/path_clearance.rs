@@ -128,8 +128,9 @@ pub fn can_decide(body: &BodyAt) -> bool {
 }
 
 impl FreePath<'_> {
-    /// Whether, with its elements at the end in the scratch or none ([`ClearanceScratch::elements_at_end`]), no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also
-    /// where 256 balls, or 64 chords, do not decide it, and for a body whose distances cannot ([`can_decide`]).
+    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its permitted overlap. False also where
+    /// 256 balls, or 64 chords, do not decide it, and for a body whose distances cannot ([`can_decide`]). `scratch` holds its elements at
+    /// the end, or none ([`ClearanceScratch::elements_at_end`]).
     pub fn is_clear_of<'a>(
         &self,
         bodies: impl IntoIterator<Item = &'a BodyAt<'a>>,

@@ -182,14 +182,12 @@ impl Touching<'_> {
         }
         refill(&mut contacts.anchors, points, Vec3::zero());
         refill(&mut system.normals, points, Vec3::zero());
-        refill(&mut contacts.known, points * T::LANES, Known::NOTHING);
+        refill(&mut contacts.known, points * self.members.count(), Known::NOTHING);
         contacts.starts.clear();
-        for lane in 0..T::LANES {
-            // (Lanes without a strand repeat the first.)
-            let member = if lane < self.members.count() { lane } else { 0 };
-            let (unit, origin) = (self.units[lane].length, Vec3::from(self.members.state(member).root.origin));
+        for lane in 0..self.members.count() {
+            let (unit, origin) = (self.units[lane].length, Vec3::from(self.members.state(lane).root.origin));
             let start = |(base, arclength)| Start { arclength, at: origin + super::members::lane_of(base, lane, unit) };
-            contacts.starts.extend(it.point_base.iter().zip(self.arclengths(member)).map(start));
+            contacts.starts.extend(it.point_base.iter().zip(self.arclengths(lane)).map(start));
         }
         contacts.free_stiffness.clone_from(&system.point_stiffness);
         contacts.free_target.clone_from(&it.point_target);
@@ -399,10 +397,10 @@ impl Touching<'_> {
     /// Calls `take` with the contacts of a lane that press, from root to tip.
     pub fn for_each_contact<T: Lane>(&self, it: &Iterate<T>, lane: usize, mut take: impl FnMut(PointContact)) {
         let places = Places::of(self, lane);
-        for (p, arclength) in self.arclengths(lane).enumerate() {
+        for p in 0..it.point_base.len() {
             let place = lane * it.point_base.len() + p;
             let Some(surface) = it.contacts.known[place].surface else { continue };
-            let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
+            let (Start { arclength, at: start }, now) = (it.contacts.starts[place], places.now(it, p, lane));
             let overlap = -self.planar_gap(it, &places, p, lane, now);
             if overlap <= 0.0 {
                 continue;

@@ -7,7 +7,7 @@ use super::point_contacts::{SurfaceAtPoint, Surfaces};
 use crate::math::vector::Vec3;
 
 /// Surfaces this near may touch a point that lay on them when the step began, m.
-pub(super) const NEAR: f64 = 1e-3;
+const NEAR: f64 = 1e-3;
 
 /// The most that a gap changes over a distance, see `Shape::distance_slope`.
 const SLOPE: f64 = 1.25;

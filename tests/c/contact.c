@@ -76,11 +76,22 @@ static void rest(shx_solver *solver, shx_strand_id strand, shx_body_id id) {
   EXPECT(report.max_penetration < 1e-5 && report.unconverged_islands == 0);
 }
 
+static const float roof_corners[6][3] = {{0, -0.05f, 0}, {0, 0.05f, 0}, {-0.02f, -0.05f, -0.03f}, {0.02f, -0.05f, -0.03f}, {-0.02f, 0.05f, -0.03f}, {0.02f, 0.05f, -0.03f}};
+
+/* A mesh as a table: its top edge lies across the strand. */
+static shx_body_def roof(void) {
+  static const uint32_t triangles[8][3] = {{0, 3, 1}, {1, 3, 5}, {0, 1, 2}, {1, 4, 2}, {0, 2, 3}, {1, 5, 4}, {2, 4, 3}, {3, 4, 5}};
+  const shx_input vertices = {roof_corners, 0, 6, SHX_FORMAT_F32X3, 0};
+  shx_body_def def = body(SHX_SHAPE_MESH);
+  def.vertices = vertices;
+  def.triangles = &triangles[0][0];
+  def.triangle_count = 8;
+  def.pose = at(0.05, 0, -0.005);
+  return def;
+}
+
 /* The same with contact at points: on a ball, and across the edge of a mesh. Surfaces give way there. */
 static void at_points(void) {
-  const float corners[6][3] = {{0, -0.05f, 0}, {0, 0.05f, 0}, {-0.02f, -0.05f, -0.03f}, {0.02f, -0.05f, -0.03f}, {-0.02f, 0.05f, -0.03f}, {0.02f, 0.05f, -0.03f}};
-  const uint32_t triangles[8][3] = {{0, 3, 1}, {1, 3, 5}, {0, 1, 2}, {1, 4, 2}, {0, 2, 3}, {1, 5, 4}, {2, 4, 3}, {3, 4, 5}};
-  const shx_input vertices = {corners, 0, 6, SHX_FORMAT_F32X3, 0};
   for (int edge = 0; edge < 2; edge++) {
     shx_solver *solver;
     EXPECT(shx_solver_create(NULL, &solver) == SHX_OK);
@@ -92,16 +103,13 @@ static void at_points(void) {
     shx_strand_contact contact;
     EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
     EXPECT(shx_solver_set_strand_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
-    shx_body_def def = body(edge ? SHX_SHAPE_MESH : SHX_SHAPE_SPHERE);
+    shx_body_def def = roof();
     shx_body_id id;
-    if (edge) {
-      def.vertices = vertices;
-      def.triangles = &triangles[0][0];
-      def.triangle_count = 8;
-    } else {
+    if (!edge) {
+      def = body(SHX_SHAPE_SPHERE);
       def.radius = 0.03;
+      def.pose = at(0.05, 0, -0.032);
     }
-    def.pose = at(0.05, 0, edge ? -0.005 : -0.032);
     EXPECT(shx_solver_add_bodies(solver, &def, sizeof def, 1, &id) == SHX_OK);
     shx_step_report report;
     steps(solver, 240, &report);
@@ -110,7 +118,7 @@ static void at_points(void) {
     const shx_output root_out = {root, 0, 1, SHX_FORMAT_F64X3, 0};
     EXPECT(shx_solver_body_wrenches(solver, &id, 1, &force_out, &torque_out) == SHX_OK);
     EXPECT(shx_solver_root_wrenches(solver, &strand, 1, &root_out, NULL) == SHX_OK);
-    /* Between two places 3 mm apart an edge this sharp may stand in the strand by half of that. */
+    /* An edge as sharp as this may enter the strand between two places, which are 3 mm apart, by half of that. */
     EXPECT(report.contacts > 0 && report.max_penetration < (edge ? 1.5e-3 : 5e-4));
     EXPECT(force[2] < -0.1 * weight && fabs(-force[2] - root[2] - weight) < 0.05 * weight);
     shx_solver_destroy(solver);
@@ -155,18 +163,10 @@ static void bodies(void) {
   size_t count = 7;
   EXPECT(shx_solver_contact_count(solver, &count) == SHX_OK && count == 0);
 
-  /* A mesh as a table: its top edge lies across the strand. */
-  const float corners[6][3] = {{0, -0.05f, 0}, {0, 0.05f, 0}, {-0.02f, -0.05f, -0.03f}, {0.02f, -0.05f, -0.03f}, {-0.02f, 0.05f, -0.03f}, {0.02f, 0.05f, -0.03f}};
-  const uint32_t triangles[8][3] = {{0, 3, 1}, {1, 3, 5}, {0, 1, 2}, {1, 4, 2}, {0, 2, 3}, {1, 5, 4}, {2, 4, 3}, {3, 4, 5}};
-  const shx_input vertices = {corners, 0, 6, SHX_FORMAT_F32X3, 0};
-  shx_body_def roof = body(SHX_SHAPE_MESH);
-  roof.vertices = vertices;
-  roof.triangles = &triangles[0][0];
-  roof.triangle_count = 8;
-  roof.pose = at(0.05, 0, -0.005);
+  const shx_body_def table = roof();
   shx_strand_id again[1] = {strand};
   EXPECT(shx_solver_reset_strands(solver, again, 1) == SHX_OK);
-  EXPECT(shx_solver_add_bodies(solver, &roof, sizeof roof, 1, &id) == SHX_OK);
+  EXPECT(shx_solver_add_bodies(solver, &table, sizeof table, 1, &id) == SHX_OK);
   rest(solver, strand, id);
 
   /* It rises with what lies on it. */
@@ -183,7 +183,7 @@ static void bodies(void) {
 
   /* It deforms, its ridge a centimetre higher: the strand goes along. */
   float higher[6][3];
-  memcpy(higher, corners, sizeof higher);
+  memcpy(higher, roof_corners, sizeof higher);
   higher[0][2] = higher[1][2] = 0.01f;
   const shx_input new_vertices = {higher, 0, 6, SHX_FORMAT_F32X3, 0};
   const double low = tip(solver, strand, 2);

@@ -238,7 +238,8 @@ fn a_tip_that_is_let_down_stays_out_of_the_floor() {
     assert!(lowest > -2e-4, "{lowest}");
 }
 
-/// A strand that goes through a thin plate, as no force along it could undo, is left in peace.
+/// A strand that goes through a thin plate, as no force along it could undo, stays there. A plate between two points does not push the
+/// strand along itself; a point in the plate still does, with up to 2.4e-5 N.
 #[test]
 fn a_strand_that_pierces_a_plate_is_not_pushed_along_itself() {
     for mm in 0..20 {
@@ -254,7 +255,7 @@ fn a_strand_that_pierces_a_plate_is_not_pushed_along_itself() {
         }
         let (off, pushed) = ((tip(&solver, id, 0.2) - start).norm(), solver.root_wrench(id).unwrap().force.norm());
         println!("{mm} mm: off {off:e}, pushed {pushed:e}");
-        assert!(off < 1e-3, "{mm} mm: {off}");
+        assert!(off < 1e-3 && pushed < 4e-5, "{mm} mm: {off} {pushed}");
     }
 }
 
