@@ -12,7 +12,7 @@ use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::point_surfaces::StrandSurfaces;
 use crate::math::lane::MAX_LANES;
-use crate::step::point_contacts::{PointContact, PointContactOptions};
+use crate::step::point_contacts::{DepthAtPoints, PointContact, PointContactOptions};
 
 /// A contact of a strand.
 pub(super) type Found = (StrandId, PointContact);
@@ -21,6 +21,8 @@ pub(super) type Found = (StrandId, PointContact);
 pub(super) struct AtPoints<'a> {
     pub bodies: &'a [BodyAt<'a>],
     pub options: PointContactOptions,
+    /// A root that is deeper than this counts as inside, m.
+    pub tolerance: f64,
     pub found: &'a mut Touched,
 }
 
@@ -30,6 +32,8 @@ pub(super) struct Touched {
     pub contacts: Vec<Found>,
     /// The deepest overlap, m; zero for none.
     pub depth: f64,
+    /// Strands whose root is in a body.
+    pub roots_inside: u32,
     /// Memory for the bodies near a pack's strands.
     near: Vec<u32>,
 }
@@ -44,13 +48,14 @@ pub(super) struct NearBodies {
 impl Touched {
     /// Whether nothing was touched.
     pub fn is_empty(&self) -> bool {
-        self.contacts.is_empty() && self.depth == 0.0
+        self.contacts.is_empty() && self.depth == 0.0 && self.roots_inside == 0
     }
 
     /// Takes over those of a task.
     pub fn take(&mut self, task: &mut Self) {
         self.contacts.append(&mut task.contacts);
         self.depth = self.depth.max(std::mem::take(&mut task.depth));
+        self.roots_inside += std::mem::take(&mut task.roots_inside);
     }
 }
 
@@ -90,6 +95,12 @@ impl<'a> AtPoints<'a> {
         Some(StrandSurfaces { bodies: self.bodies, near: &near.all[from..near.ends[lane]], contact: contact?, permitted_overlap })
     }
 
+    /// Takes down how deep a strand is.
+    pub fn take_depth(&mut self, depth: DepthAtPoints) {
+        self.found.depth = self.found.depth.max(depth.deepest);
+        self.found.roots_inside += u32::from(depth.root > self.tolerance);
+    }
+
     /// Takes down a contact.
     pub fn take_contact(&mut self, strand: &mut Strand, contact: &PointContact) {
         strand.touched = true;
@@ -125,6 +136,7 @@ impl Touched {
         let Results { contacts, wrenches, tally } = results;
         tally.penetration = tally.penetration.max(std::mem::take(&mut self.depth));
         tally.contacts += self.contacts.len() as u32;
+        tally.roots_inside += std::mem::take(&mut self.roots_inside);
         let place = |(strand, contact): &Found| (slots.index(*strand), contact.arclength);
         self.contacts.sort_by(|a, b| {
             let ((a, along_a), (b, along_b)) = (place(a), place(b));

@@ -15,7 +15,7 @@ use crate::rod::strand::StrandModel;
 use crate::rod::target::TargetAt;
 use crate::step::members::{One, OneTouches, Pack, PackKey, StepEnd};
 use crate::step::options::Integrator;
-use crate::step::point_contacts::{PointContact, PointContactOptions, Surfaces};
+use crate::step::point_contacts::{DepthAtPoints, PointContact, PointContactOptions, Surfaces};
 use crate::step::scratch::StepScratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
@@ -233,7 +233,7 @@ fn take_one_at_points(
     scratch: &mut StepScratch,
 ) -> StrandOutcome {
     let near = at_points.find_near(std::iter::once(&*strand), h);
-    let (mut contacts, mut depth) = (Vec::new(), f64::NEG_INFINITY);
+    let (mut contacts, mut depth) = (Vec::new(), DepthAtPoints::NONE);
     let Strand { model, state, root_move, target, contact, permitted_overlap, .. } = &mut *strand;
     let start = state.root;
     let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
@@ -248,7 +248,7 @@ fn take_one_at_points(
     let outcome = step::take(setting, &mut one, h, scratch);
     at_points.give_back(near);
     contacts.iter().for_each(|contact| at_points.take_contact(strand, contact));
-    at_points.found.depth = at_points.found.depth.max(depth);
+    at_points.take_depth(depth);
     outcome
 }
 
@@ -300,9 +300,9 @@ impl Pack for Picked<'_, '_> {
             at_points.take_contact(&mut self.strands[self.indices[lane]], contact);
         }
     }
-    fn take_depth(&mut self, _lane: usize, depth: f64) {
+    fn take_depth(&mut self, _lane: usize, depth: DepthAtPoints) {
         if let Some(at_points) = &mut self.at_points {
-            at_points.found.depth = at_points.found.depth.max(depth);
+            at_points.take_depth(depth);
         }
     }
     fn may_keep(&mut self, lane: usize, end: &dyn StepEnd) -> bool {

@@ -386,7 +386,7 @@ impl Solver {
             if let Some(trials) = &trials {
                 trials.begin(strands, h, meter);
             }
-            let at_points = at_points.map(|options| AtPoints { bodies: &bodies, options, found: &mut *touched });
+            let at_points = at_points.map(|options| AtPoints { bodies: &bodies, options, tolerance, found: &mut *touched });
             let mut task = Task { tally: &mut tally, trials, at_points };
             side_by_side::take(strands, &setting, h, set, &mut task, step, meter);
             if !touched.is_empty() {

@@ -5,7 +5,7 @@
 //! a rounded part and a remainder, so that small changes add up over many steps.
 
 use super::options::Integrator;
-use super::point_contacts::{PointContact, PointContactOptions, Surfaces};
+use super::point_contacts::{DepthAtPoints, PointContact, PointContactOptions, Surfaces};
 use super::state::{StrandState, rotation_matrix};
 use super::target_lanes::TargetLanes;
 use super::{Surroundings, stages};
@@ -36,11 +36,10 @@ pub trait Pack {
     }
     /// Calls `ask` with the surfaces that a strand may touch.
     fn with_surfaces(&self, _lane: usize, _ask: &mut dyn FnMut(&dyn Surfaces)) {}
-    /// Takes down the contacts of a strand at the end of its step, from root to tip, and last how deep it is in bodies, m (below zero for
-    /// outside).
+    /// Takes down the contacts of a strand at the end of its step, from root to tip, and last how deep it is in bodies.
     fn take_contact(&mut self, _lane: usize, _contact: &PointContact) {}
     /// See [`Pack::take_contact`].
-    fn take_depth(&mut self, _lane: usize, _depth: f64) {}
+    fn take_depth(&mut self, _lane: usize, _depth: DepthAtPoints) {}
     /// Whether the end of a strand's step may become its state.
     fn may_keep(&mut self, _lane: usize, _end: &dyn StepEnd) -> bool {
         true
@@ -97,8 +96,8 @@ pub struct OneTouches<'a> {
     pub surfaces: &'a dyn Surfaces,
     /// Its contacts at the end of the step.
     pub contacts: &'a mut Vec<PointContact>,
-    /// How deep it is in bodies then, m.
-    pub depth: &'a mut f64,
+    /// How deep it is in bodies then.
+    pub depth: &'a mut DepthAtPoints,
 }
 
 impl Pack for One<'_> {
@@ -133,7 +132,7 @@ impl Pack for One<'_> {
             touches.contacts.push(*contact);
         }
     }
-    fn take_depth(&mut self, _lane: usize, depth: f64) {
+    fn take_depth(&mut self, _lane: usize, depth: DepthAtPoints) {
         if let Some(touches) = &mut self.touches {
             *touches.depth = depth;
         }

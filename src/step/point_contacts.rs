@@ -86,6 +86,20 @@ pub struct PointContact {
     pub slip: Vec3<f64>,
 }
 
+/// How deep a strand is in bodies, m; below zero for outside.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthAtPoints {
+    /// Where it is deepest.
+    pub deepest: f64,
+    /// At its root, if that takes part in contact.
+    pub root: f64,
+}
+
+impl DepthAtPoints {
+    /// That of a strand that nothing is near.
+    pub const NONE: Self = Self { deepest: f64::NEG_INFINITY, root: f64::NEG_INFINITY };
+}
+
 /// The springs of contact, with what is known of every point.
 #[derive(Debug, Clone)]
 pub struct PointContacts<T> {
@@ -104,8 +118,8 @@ pub struct PointContacts<T> {
     starts: Vec<Start>,
     /// Memory for the points of a lane.
     points: Vec<Point>,
-    /// The deepest overlap at the end, by lane, m; below zero for none.
-    pub depth: [f64; MAX_LANES],
+    /// The overlaps at the end, by lane.
+    pub depth: [DepthAtPoints; MAX_LANES],
 }
 
 impl<T> Default for PointContacts<T> {
@@ -120,7 +134,7 @@ impl<T> Default for PointContacts<T> {
             known: Vec::new(),
             starts: Vec::new(),
             points: Vec::new(),
-            depth: [f64::NEG_INFINITY; MAX_LANES],
+            depth: [DepthAtPoints::NONE; MAX_LANES],
         }
     }
 }
@@ -191,7 +205,7 @@ impl Touching<'_> {
         }
         contacts.free_stiffness.clone_from(&system.point_stiffness);
         contacts.free_target.clone_from(&it.point_target);
-        contacts.depth = [f64::NEG_INFINITY; MAX_LANES];
+        contacts.depth = [DepthAtPoints::NONE; MAX_LANES];
     }
 
     /// Asks of `running` lanes which of their points press at the accepted iterate, and sets their springs. Returns the lanes whose
@@ -368,11 +382,12 @@ impl Touching<'_> {
     /// Measures the overlaps at the end of a step.
     pub fn measure<T: Lane>(&self, it: &mut Iterate<T>, active: u32) {
         for lane in lanes(active) {
-            let mut smallest = f64::INFINITY;
+            let (mut smallest, mut at_root) = (f64::INFINITY, f64::INFINITY);
             self.members.with_surfaces(lane, &mut |surfaces| {
                 self.with_line(it, lane, |line| smallest = line.measure(surfaces));
+                at_root = surfaces.nearest(0.0, self.roots[lane].origin.into()).map_or(f64::INFINITY, |surface| surface.gap);
             });
-            it.contacts.depth[lane] = -smallest;
+            it.contacts.depth[lane] = DepthAtPoints { deepest: -smallest.min(at_root), root: -at_root };
         }
     }
 

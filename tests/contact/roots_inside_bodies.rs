@@ -70,6 +70,55 @@ fn a_root_deep_in_a_body_is_reported() {
     }
 }
 
+/// With contact at points, too; exempt, it is not. The strand leaves the floor at once, so that nothing else of it is as deep.
+#[test]
+fn contact_at_points_reports_a_root_in_a_body() {
+    for (height, rise) in [(30e-6, 1.5), (-1e-3, 1.5)] {
+        for (exempt_length, inside) in [(0.0, 1), (0.01, 0)] {
+            let contact = StrandContact { exempt_length, ..StrandContact::default() };
+            let (mut solver, ..) = scene(ContactModel::AtPoints, height, rise, contact);
+            for report in steps(&mut solver, 5) {
+                let contact = report.contact;
+                assert_eq!((contact.roots_inside, report.unconverged), (inside, 0), "{height} {exempt_length}: {report:?}");
+                let depth = if inside == 1 { RADIUS - height } else { 0.0 };
+                assert!((contact.penetration - depth).abs() < 1e-12, "{height} {exempt_length}: {report:?}");
+            }
+        }
+    }
+    // Nor is it one that a permitted overlap allows for, or one out of all reach.
+    for height in [51e-6, 0.5] {
+        let (mut solver, ..) = scene(ContactModel::AtPoints, height, 1.5, StrandContact::default());
+        assert!(steps(&mut solver, 2).iter().all(|report| report.contact.roots_inside == 0), "{height}");
+    }
+    let (mut solver, id, ..) = scene(ContactModel::AtPoints, -1e-3, 1.5, StrandContact::default());
+    let overlap = PermittedOverlap { along: vec![0.0], wisp_fractions: vec![1.0], sunk: vec![2e-3] };
+    solver.set_permitted_overlaps(&[id], &[Some(overlap)]).unwrap();
+    assert!(steps(&mut solver, 2).iter().all(|report| report.contact.roots_inside == 0));
+}
+
+/// Side by side, too: of ten strands those three whose roots are in the floor.
+#[test]
+fn contact_at_points_counts_roots_in_a_body() {
+    let (mut solver, first, ..) = scene(ContactModel::AtPoints, 0.01, 1.5, StrandContact::default());
+    let mut def = StrandDef::straight(0.1, 10);
+    let ids: Vec<StrandId> = (1..10)
+        .map(|k| {
+            let height = if k % 3 == 0 { -1e-4 } else { 0.01 };
+            let rotation = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -1.5);
+            def.root = Frame { origin: Vector3::new(0.0, 0.02 * f64::from(k), height), rotation };
+            solver.add_strands(&[def.clone()]).unwrap()[0]
+        })
+        .collect();
+    solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+    for report in steps(&mut solver, 3) {
+        assert_eq!(report.contact.roots_inside, 3, "{report:?}");
+        assert!((report.contact.penetration - (1e-4 + RADIUS)).abs() < 1e-12, "{report:?}");
+    }
+    let down = Frame { origin: Vector3::new(0.0, 0.0, -1e-4), rotation: def.root.rotation };
+    solver.set_root_frames(&[first], &[down], 1.0 / 60.0).unwrap();
+    assert_eq!(steps(&mut solver, 1)[0].contact.roots_inside, 4);
+}
+
 /// What lies on a floor with its root at the floor's height is borne by it, and converges: the root made the second attempt of every step, in
 /// which nothing rubs.
 #[test]
