@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::editing::PermittedOverlap;
+use superhelix::shapes::Sides;
 use superhelix::{
     BodyDef, BodyId, ContactModel, Frame, Shape, Solver, SolverOptions, StepReport, StrandContact, StrandDef, StrandId,
 };
@@ -117,6 +118,24 @@ fn contact_at_points_counts_roots_in_a_body() {
     let down = Frame { origin: Vector3::new(0.0, 0.0, -1e-4), rotation: def.root.rotation };
     solver.set_root_frames(&[first], &[down], 1.0 / 60.0).unwrap();
     assert_eq!(steps(&mut solver, 1)[0].contact.roots_inside, 4);
+}
+
+/// In a mesh, however deep, by every model.
+#[test]
+fn a_root_in_a_mesh_is_reported() {
+    let corners = [[-0.2, -0.1, 0.0], [0.2, -0.1, 0.0], [0.0, 0.2, 0.0], [0.0, 0.0, -0.2]].map(Vector3::from);
+    let mesh = Shape::new_mesh(corners.to_vec(), vec![[0, 1, 2], [1, 0, 3], [2, 1, 3], [0, 2, 3]], Sides::Solid).unwrap();
+    let mesh = Arc::new(mesh);
+    for model in MODELS.into_iter().chain([ContactModel::AtPoints]) {
+        for height in [-1e-3, -8e-3, -0.02] {
+            let (mut solver, _, floor, _) = scene(model, height, 1.5, StrandContact::default());
+            solver.remove_bodies(&[floor]).unwrap();
+            solver.add_bodies(vec![BodyDef::new(mesh.clone())]).unwrap();
+            let contact = steps(&mut solver, 2)[1].contact;
+            assert_eq!(contact.roots_inside, 1, "{model:?} {height}: {contact:?}");
+            assert!((contact.penetration - (RADIUS - height)).abs() < 1e-12, "{model:?} {height}: {contact:?}");
+        }
+    }
 }
 
 /// What lies on a floor with its root at the floor's height is borne by it, and converges: the root made the second attempt of every step, in
