@@ -73,8 +73,23 @@ impl PermittedOverlap {
         between.map(|(_, sunk)| *sunk).fold(self.sunk(from).min(self.sunk(to)), f64::min)
     }
 
+    /// The ends of a straight line between two arclengths (m) that is nowhere above [`PermittedOverlap::sunk`], m: that itself where no
+    /// material point is between them.
+    pub(in crate::contact) fn line_below(&self, from: f64, to: f64) -> [f64; 2] {
+        let next = self.along.partition_point(|along| *along <= from);
+        if self.along.get(next).is_none_or(|along| *along >= to) {
+            return [from, to].map(|along| self.beside(&self.sunk, next, along));
+        }
+        [self.least_sunk(from, to); 2]
+    }
+
     fn between(&self, values: &[f64], along: f64) -> f64 {
-        let next = self.along.partition_point(|material_point| *material_point <= along).clamp(1, self.along.len().max(2) - 1);
+        self.beside(values, self.along.partition_point(|material_point| *material_point <= along), along)
+    }
+
+    /// A value at an arclength before the material point `next` and not before the one before it.
+    fn beside(&self, values: &[f64], next: usize, along: f64) -> f64 {
+        let next = next.clamp(1, self.along.len().max(2) - 1);
         let (Some(a), Some(b)) = (self.along.get(next - 1), self.along.get(next)) else { return values[0] };
         let t = ((along - a) / (b - a)).clamp(0.0, 1.0);
         values[next - 1] + t * (values[next] - values[next - 1])
@@ -108,6 +123,17 @@ mod tests {
         ] {
             assert!((permitted_overlap.wisp_fraction(along) - fraction).abs() < 1e-12, "{along}");
             assert!((permitted_overlap.sunk(along) - sunk).abs() < 1e-12, "{along}");
+        }
+        // A straight line below it all along, and at it between material points.
+        for (from, to, ends) in
+            [(0.0, 0.01, [0.0, 0.0]), (0.012, 0.018, [4e-4, 1.6e-3]), (0.02, 0.04, [0.002, 0.001]), (0.015, 0.05, [0.001; 2])]
+        {
+            let line = permitted_overlap.line_below(from, to);
+            assert!((0..2).all(|end| (line[end] - ends[end]).abs() < 1e-12), "{from} {to}: {line:?}");
+            for part in 0..=100 {
+                let t = f64::from(part) / 100.0;
+                assert!(line[0] + t * (line[1] - line[0]) <= permitted_overlap.sunk(from + t * (to - from)) + 1e-12);
+            }
         }
         let one = PermittedOverlap { along: vec![0.01], wisp_fractions: vec![0.3], sunk: vec![0.1] };
         one.check("a").unwrap();

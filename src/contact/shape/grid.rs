@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::bake_open;
+use super::bends::Bends;
 use super::bounds::Bounds;
 use super::lattice::Lattice;
 use super::mesh::{Mesh, Sides};
@@ -24,6 +25,7 @@ pub struct DistanceGrid {
     counts: [u32; 3],
     values: Box<[f32]>,
     planes: Planes,
+    bends: Bends,
 }
 
 impl DistanceGrid {
@@ -46,7 +48,15 @@ impl DistanceGrid {
         let (bounds, counts) = Self::lattice(mesh, cell, band)?;
         let lattice = Lattice { low: bounds.low, cell, counts };
         let values = if mesh.sides() == Sides::Solid { lattice.distances(mesh)? } else { bake_open::distances(&lattice, mesh)? };
-        Ok(Self { low: bounds.low, cell, band, counts, values: values.into(), planes: Planes::default() })
+        Ok(Self {
+            low: bounds.low,
+            cell,
+            band,
+            counts,
+            values: values.into(),
+            planes: Planes::default(),
+            bends: Bends::default(),
+        })
     }
 
     /// How many nodes along x, y and z [`DistanceGrid::bake`] would make.
@@ -105,7 +115,7 @@ impl DistanceGrid {
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
             return Err(Error::invalid(format!("values[{index}]"), values[index], "a finite number"));
         }
-        Ok(Self { low, cell, band, counts, values, planes: Planes::default() })
+        Ok(Self { low, cell, band, counts, values, planes: Planes::default(), bends: Bends::default() })
     }
 
     /// The lowest node, m.
@@ -219,6 +229,16 @@ impl DistanceGrid {
         })
     }
 
+    /// How fast its gradient turns within `reach` metres of a point at most, 1/m. None where that leaves the grid, or is too far to be told.
+    pub(in crate::contact) fn bend_about(&self, point: &Vector3<f64>, reach: f64) -> Option<f64> {
+        self.bends.about(self, &((point - self.low) / self.cell), reach / self.cell)
+    }
+
+    /// The field's value (m) and gradient at a point; None outside the grid.
+    pub(in crate::contact) fn with_gradient(&self, point: &Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
+        f64::call(Interpolate { grid: self, point: *point }).map(|(value, gradient)| (value, gradient / self.cell))
+    }
+
     /// A distance that the surface surely has from a point outside the grid, m.
     pub(in crate::contact) fn clearance(&self, point: &Vector3<f64>) -> f64 {
         self.bounds().grown(-self.band).distance(point)
@@ -232,7 +252,7 @@ impl DistanceGrid {
 
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
-        size_of_val::<[f32]>(&self.values) + self.planes.heap_bytes()
+        size_of_val::<[f32]>(&self.values) + self.planes.heap_bytes() + self.bends.heap_bytes()
     }
 }
 

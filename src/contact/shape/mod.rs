@@ -3,6 +3,7 @@
 //! Files:
 //!
 //! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: winding numbers give the sign.
+//! - `bends.rs`: How much a distance grid's field bends: bounds on its second derivatives, block by block of cells.
 //! - `bounds.rs`: Boxes along the axes, around what is to be kept apart cheaply.
 //! - `capsule.rs`: Capsule: all points within a radius of a segment.
 //! - `cuboid.rs`: Box about the origin, along the axes.
@@ -26,6 +27,7 @@
 //! - `winding.rs`: Winding numbers: how often a surface goes around a point, also a surface that is not quite closed.
 
 mod bake_open;
+mod bends;
 mod bounds;
 mod capsule;
 mod cuboid;
