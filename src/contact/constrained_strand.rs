@@ -60,6 +60,42 @@ pub enum FirstHalf {
     ToDo,
 }
 
+/// The integration formula of a constrained strand's step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Formula {
+    /// That of the setting.
+    #[default]
+    AsSet,
+    /// Its step is to begin again, by implicit Euler: until then the strand stays where it is.
+    ToBeginAgain,
+    /// Implicit Euler, whatever the setting.
+    ImplicitEuler,
+}
+
+/// What a strand may touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Meets {
+    /// It takes no part in contact.
+    #[default]
+    Nothing,
+    /// Bodies only: while bodies still follow it, other strands would hold it back.
+    Bodies,
+    /// Bodies, and other strands.
+    All,
+}
+
+/// Where a strand ends its step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StrandEnd {
+    /// As it was when the step began: no iteration was done for it.
+    #[default]
+    AsBegun,
+    /// Where its iteration has come to.
+    Iterated,
+    /// It moves with its root instead.
+    WithRoot,
+}
+
 /// A constrained strand.
 #[derive(Debug, Default)]
 pub struct ConstrainedStrand {
@@ -85,10 +121,8 @@ pub struct ConstrainedStrand {
     modelled: usize,
     /// Whether it iterates apart from other strands: its island has no other.
     pub is_solitary: bool,
-    /// Whether its step is one of implicit Euler, whatever the setting.
-    pub first_order: bool,
-    /// Whether its step begins again for that reason: until then the strand stays where it is.
-    pub begins_again: bool,
+    /// The formula of its step.
+    pub formula: Formula,
     /// Whether the first half of the first iteration is already done.
     pub looked_ahead: bool,
     /// How its island's iteration has ended, if nothing new acts on the strand since.
@@ -103,23 +137,19 @@ pub struct ConstrainedStrand {
     pub has_undetected: bool,
     /// It was found in or beyond a body at the end of the step that it was outside of when the step began.
     pub behind: bool,
-    /// It moves with its root instead of keeping its end.
-    pub carried: bool,
-    /// An iteration was done for it: it need not stay as it was when the step began.
-    pub advanced: bool,
+    /// Where it ends.
+    pub end: StrandEnd,
     /// How often it was woken since its island was formed.
     pub woken: u32,
     /// Estimated distance of an element from where the iteration would converge, rad.
     pub residual: f64,
-    /// Whether it takes part in contact at all.
-    pub collides: bool,
+    /// What it may touch.
+    pub meets: Meets,
     /// The bodies' initial and final poses in the step as this strand meets them, one pair per body; empty: as they move in the
     /// scene.
     pub body_motions: Vec<[Frame; 2]>,
     /// Their final poses, if one of them still follows after the step; else empty.
     pub final_poses: Vec<Frame>,
-    /// It meets bodies only: while bodies still follow, other strands would hold it back.
-    pub alone: bool,
     /// The number of its constraints at the last count.
     pub constraint_count: usize,
     /// Contacts with bodies found by the last search.
@@ -150,6 +180,13 @@ impl ConstrainedStrand {
         self.places.clear();
     }
 
+    /// Something presses it: its step begins again, unless it is one of implicit Euler already.
+    pub fn mark_pressed(&mut self) {
+        if self.formula == Formula::AsSet {
+            self.formula = Formula::ToBeginAgain;
+        }
+    }
+
     /// Whether a body still follows after the step.
     pub fn lags(&self) -> bool {
         !self.final_poses.is_empty()
@@ -157,7 +194,9 @@ impl ConstrainedStrand {
 
     /// Moves the bodies to their poses in the scene, and includes other strands: for the search for overlap that is left.
     pub fn look_around(&mut self, bodies: &[BodyAt]) {
-        self.alone = false;
+        if self.meets == Meets::Bodies {
+            self.meets = Meets::All;
+        }
         for (motion, body) in self.body_motions.iter_mut().zip(bodies) {
             motion[1] = body.end;
         }
@@ -172,7 +211,7 @@ impl ConstrainedStrand {
     /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate; elements that have moved by no
     /// more than `unseen` (m) since the last search are passed over.
     pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64, unseen: f64) {
-        if !self.collides {
+        if self.meets == Meets::Nothing {
             return;
         }
         let path = path_of(self.index, &self.step);
@@ -300,7 +339,7 @@ impl ConstrainedStrand {
             let constraint = &island.constraints[attachment.constraint as usize];
             let end = if attachment.second { constraint.second.unwrap_or(constraint.first) } else { constraint.first };
             attachment.material_point = end.material_point;
-            attachment.modelled = if self.resting { attachment.modelled } else { !constraint.dormant };
+            attachment.modelled = if self.resting { attachment.modelled } else { !constraint.is_dormant() };
         }
         self.attachments.sort_by(|a, b| {
             let key = |x: &Attachment| (!x.modelled, x.material_point.element, x.material_point.s);
@@ -316,7 +355,7 @@ impl ConstrainedStrand {
     fn choose_rest(&mut self, island: &Island) {
         let constraint = |end: &Attachment| &island.constraints[end.constraint as usize];
         // A contact that is no longer dormant must be in its model.
-        let lacks = |end: &Attachment| !end.modelled && !constraint(end).dormant;
+        let lacks = |end: &Attachment| !end.modelled && !constraint(end).is_dormant();
         self.resting = if !island.may_rest {
             false
         } else if self.resting {
@@ -411,7 +450,7 @@ impl ConstrainedStrand {
     /// Before the second half, with the constraints' new forces. False if its pack need not advance it: it rests, or begins
     /// again.
     pub fn advances(&mut self, island: &Island) -> bool {
-        if self.begins_again {
+        if self.formula == Formula::ToBeginAgain {
             self.residual = f64::INFINITY;
             return false;
         }
@@ -425,7 +464,7 @@ impl ConstrainedStrand {
 
     /// Its pack has done the second half.
     pub fn advanced(&mut self) {
-        self.advanced = true;
+        self.end = StrandEnd::Iterated;
         self.residual = self.step.residual;
         self.find_places(true);
     }

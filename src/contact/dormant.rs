@@ -8,7 +8,7 @@ use super::constrained_strand::Strands;
 use super::island::{Island, is_nearly_outside, is_outside};
 use super::law::Law;
 use super::options::ContactOptions;
-use super::step_constraint::{Give, Standing, StepConstraint};
+use super::step_constraint::{Activity, Give, Standing, StepConstraint};
 
 /// A contact becomes dormant if its surfaces are further apart than this many times their relative motion in the iteration: the
 /// next ones are shorter.
@@ -20,13 +20,20 @@ impl StepConstraint {
         self.ends().any(|end| !strands[end.strand as usize].resting)
     }
 
+    /// Takes it into contact problems again; it may fall asleep once more.
+    pub(super) fn wake(&mut self) {
+        if self.is_dormant() {
+            self.activity = Activity::Active;
+        }
+    }
+
     /// After an iteration that took its surfaces to `u` and moved them by `moved` (m): makes it dormant if nothing presses it
     /// and it is out of reach.
     pub(super) fn may_sleep(&mut self, law: &Law, u: &Vector3<f64>, moved: f64) {
         let Law::Contact(contact) = law else { return };
-        let free = self.force == Vector3::zeros() && !(self.deep || self.give != Give::No || self.roused);
+        let free = self.force == Vector3::zeros() && !(self.deep || self.give != Give::No || self.activity == Activity::Roused);
         if free && u.dot(&contact.normal) > ASIDE * moved {
-            (self.dormant, self.standing) = (true, Standing::apart());
+            (self.activity, self.standing) = (Activity::Dormant, Standing::apart());
         }
     }
 }
@@ -44,7 +51,7 @@ impl Island {
             return;
         }
         let constraint = &mut self.constraints[index];
-        (constraint.dormant, constraint.roused) = (false, true);
+        constraint.activity = Activity::Roused;
         // A dormant spring exerts no force yet.
         let soft = options.model.is_soft();
         let holds = !soft && is_outside(gap, options);

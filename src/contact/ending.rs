@@ -42,23 +42,50 @@ pub enum Next {
     BeginsAgain,
 }
 
+/// What an island's iteration has come to, the worst first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Outcome {
+    /// It has diverged in its last attempt: some of its strands stay as they were when the step began, see [`Island::has_diverged`].
+    Diverged,
+    /// It has not converged.
+    #[default]
+    Unconverged,
+    /// It has not converged, but is close enough to stay as it is.
+    GoodEnough,
+    /// The attempt converged, but some constraints yield, or not all is known to be well.
+    AttemptConverged,
+    /// It converged with no constraint yielding, or the host chose to pay for this many iterations.
+    Converged,
+}
+
 /// How an island's iteration ended, as reported.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ending {
-    /// It converged with no constraint yielding.
-    pub converged: bool,
+    /// What it has come to.
+    pub outcome: Outcome,
     /// The attempt.
     pub attempt: Attempt,
-    /// The attempt converged, whatever yielded.
-    pub attempt_converged: bool,
-    /// It has not converged, but is close enough to stay as it is.
-    pub good_enough: bool,
-    /// It has diverged: some of its strands stay as they were when the step began, see [`Island::has_diverged`].
-    pub diverged: bool,
     /// Why the iteration was stopped early, if it was.
     pub stopped: Stopped,
     /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
     pub residual: f64,
+}
+
+impl Ending {
+    /// Whether it has converged.
+    pub fn is_converged(&self) -> bool {
+        self.outcome == Outcome::Converged
+    }
+
+    /// Lowers what it has come to, to this at most.
+    pub(super) fn lower_to(&mut self, outcome: Outcome) {
+        self.outcome = self.outcome.min(outcome);
+    }
+
+    /// Takes back that it has converged: something has turned out otherwise since.
+    pub fn doubt(&mut self) {
+        self.lower_to(Outcome::AttemptConverged);
+    }
 }
 
 impl Island {
@@ -72,14 +99,15 @@ impl Island {
         if self.done && !self.rough && !self.is_to_be_tried_again() {
             return;
         }
-        (self.done, self.rough) = (true, false);
-        (self.progress.ending.converged, self.progress.ending.stopped) = (false, why);
+        (self.done, self.rough, self.progress.ending.stopped) = (true, false, why);
+        self.progress.ending.doubt();
     }
 
     /// The search for its strands' contacts was halted: undetected contacts are possible, however the iteration ended.
     pub fn interrupt(&mut self, why: Stopped) {
         self.stop(why);
-        (self.progress.ending.converged, self.progress.ending.stopped) = (false, why);
+        self.progress.ending.stopped = why;
+        self.progress.ending.doubt();
     }
 
     /// Rejects the end of strands in contact whose energy has risen, and with it that of the island: it counts as diverged
@@ -92,17 +120,15 @@ impl Island {
             let strand = &mut strands[*strand as usize];
             if strand.has_risen(step) {
                 strand.residual = f64::INFINITY;
-                (self.progress.ending.converged, self.progress.ending.attempt_converged, self.progress.ending.good_enough) =
-                    (false, false, false);
-                self.progress.ending.diverged = true;
+                self.progress.ending.outcome = Outcome::Diverged;
             }
         }
     }
 
     /// Goes on from where it is: one of its strands has been moved.
     pub fn go_on(&mut self) {
-        (self.done, self.progress.ending.attempt_converged, self.progress.ending.converged, self.progress.rest) =
-            (false, false, false, -1.0);
+        (self.done, self.progress.rest) = (false, -1.0);
+        self.progress.ending.lower_to(Outcome::GoodEnough);
         self.begin_to_count(self.progress.iterations);
     }
 
@@ -116,20 +142,25 @@ impl Island {
         self.progress.ending.attempt == Attempt::Relaxed
     }
 
+    /// Whether it has diverged.
+    pub fn is_diverged(&self) -> bool {
+        self.progress.ending.outcome == Outcome::Diverged
+    }
+
     /// Whether it ended without converging.
     pub fn failed(&self) -> bool {
-        self.done && !self.progress.ending.converged
+        self.done && !self.progress.ending.is_converged()
     }
 
     /// Whether no more work is spent on it: it has not converged, or only by yielding, and another solve would be expensive.
     pub fn is_given_up(&self) -> bool {
         let dear = self.has_bilateral() || self.strands.len() > FEW;
-        self.failed() && (self.is_relaxed() && dear || !self.progress.ending.good_enough)
+        self.failed() && (self.is_relaxed() && dear || self.progress.ending.outcome < Outcome::GoodEnough)
     }
 
     /// Whether another attempt follows, see [`Island::try_again`].
     pub fn is_to_be_tried_again(&self) -> bool {
-        let goes_on = self.progress.ending.stopped == Stopped::No && !self.progress.ending.good_enough;
+        let goes_on = self.progress.ending.stopped == Stopped::No && self.progress.ending.outcome < Outcome::GoodEnough;
         let is_last = self.is_relaxed() && self.progress.relaxings >= RELAXINGS;
         self.failed() && goes_on && !is_last && !self.constraints.is_empty()
     }
@@ -159,7 +190,8 @@ impl Island {
         (self.progress.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
         for constraint in &mut self.constraints {
-            (constraint.force, constraint.dormant, constraint.pushed) = (Vector3::zeros(), false, 0.0);
+            (constraint.force, constraint.pushed) = (Vector3::zeros(), 0.0);
+            constraint.wake();
         }
         Next::BeginsAgain
     }
@@ -170,8 +202,8 @@ impl Island {
         let mut some = false;
         for constraint in &mut self.constraints {
             if constraint.give == Give::No && constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
-                (constraint.give, constraint.dormant, constraint.standing, some) =
-                    (Give::ALittle, false, Standing::UNKNOWN, true);
+                (constraint.give, constraint.standing, some) = (Give::ALittle, Standing::UNKNOWN, true);
+                constraint.wake();
             }
         }
         some

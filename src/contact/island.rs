@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::body::BodyAt;
 use super::constrained_strand::{Attachment, ConstrainedStrand, Strands};
 use super::contact_space::End;
-use super::ending::Ending;
+use super::ending::{Ending, Outcome};
 use super::gauss_seidel::Report;
 use super::law::Law;
 use super::law::coefficient::Coefficient;
@@ -194,11 +194,11 @@ impl Island {
 
     /// Goes on from a rough solve. True if there is more to do.
     pub fn refine(&mut self) -> bool {
-        let goes_on = self.rough && self.progress.ending.attempt_converged;
+        let goes_on = self.rough && self.progress.ending.outcome >= Outcome::AttemptConverged;
         if goes_on {
             // Strands rested by the rough tolerance.
-            (self.done, self.progress.ending.converged, self.progress.ending.attempt_converged, self.progress.rest) =
-                (false, false, false, -1.0);
+            (self.done, self.progress.rest) = (false, -1.0);
+            self.progress.ending.lower_to(Outcome::GoodEnough);
             self.begin_to_count(self.progress.iterations);
         }
         self.rough = false;
@@ -231,7 +231,7 @@ impl Island {
     /// the others; all if not even one iteration was possible.
     pub fn has_diverged(&self, strand: &ConstrainedStrand) -> bool {
         let all = self.progress.iterations <= 1;
-        self.progress.ending.diverged && (all || strand.residual > DIVERGED || strand.residual.is_nan())
+        self.is_diverged() && (all || strand.residual > DIVERGED || strand.residual.is_nan())
     }
 
     /// Whether a strand ends in or beyond a body that it was outside of when the step began.
@@ -285,7 +285,7 @@ impl Island {
             let strand = &strands[constraint.first.strand as usize];
             self.constrained_to_world |=
                 constraint.give == Give::No && matches!(constraint.kind, ConstraintKind::Pin { compliance: 0.0, .. });
-            if strand.resting || constraint.dormant || constraint.in_crease {
+            if strand.resting || constraint.is_dormant() || constraint.in_crease {
                 continue;
             }
             match &mut constraint.kind {
@@ -411,7 +411,7 @@ impl Island {
         self.progress.ending.residual = 0.0;
         for index in 0..self.constraints.len() {
             if !self.is_included[index] {
-                if self.constraints[index].dormant {
+                if self.constraints[index].is_dormant() {
                     self.rouse(index, strands, options, step);
                 }
                 let Standing { law_residual, holds, nearly, .. } = self.constraints[index].standing;
@@ -489,18 +489,20 @@ impl Island {
         // One contact slightly beyond the rough tolerance says nothing about the end.
         let good = good && !wakes_some || self.rough && slow && enough;
         let good = good && !self.push_on(strands, options, step);
-        // An island with yielding constraints has not converged, whatever its residual.
-        self.progress.ending.attempt_converged = good;
         // The host chose to pay for this many iterations.
         let chosen = options.model.is_soft()
             && options.max_iterations <= MAX_CHOSEN_ITERATIONS
             && self.progress.iterations >= options.max_iterations;
-        self.progress.ending.converged =
-            (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No);
         self.done = good || diverged || stuck || self.progress.iterations >= options.max_iterations;
-        self.progress.ending.good_enough = self.done && (enough || chosen);
-        self.progress.ending.diverged =
-            self.done && self.is_relaxed() && self.strands.iter().any(|strand| strands[*strand as usize].residual > DIVERGED);
+        let is_far = |strand: &u32| strands[*strand as usize].residual > DIVERGED;
+        // An island with yielding constraints has not converged, whatever its residual.
+        self.progress.ending.outcome = match () {
+            () if (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No) => Outcome::Converged,
+            () if good => Outcome::AttemptConverged,
+            () if self.done && (enough || chosen) => Outcome::GoodEnough,
+            () if self.done && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
+            () => Outcome::Unconverged,
+        };
     }
 }
 

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::constrained_strand::Strands;
 use super::contact_space::{ContactSpace, End, SpaceConstraint};
+use super::ending::Outcome;
 use super::gauss_seidel::{GaussSeidel, Scales, Settings};
 use super::island::Island;
 use super::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
@@ -149,8 +150,8 @@ impl Island {
         meter: &Meter,
     ) {
         if self.solve(strands, options, step, scratch, workers, meter).is_err() {
-            (self.done, self.progress.ending.diverged) = (true, self.is_relaxed());
-            self.progress.ending.good_enough = false;
+            self.done = true;
+            self.progress.ending.outcome = if self.is_relaxed() { Outcome::Diverged } else { Outcome::Unconverged };
         }
     }
 
@@ -166,7 +167,7 @@ impl Island {
         self.strand_is_included.clear();
         self.strand_is_included.resize(self.strands.len(), false);
         for (index, (constraint, ends)) in self.constraints.iter().zip(&self.ends).enumerate() {
-            let is_included = !constraint.dormant && constraint.moves(strands);
+            let is_included = !constraint.is_dormant() && constraint.moves(strands);
             self.is_included.push(is_included);
             if is_included {
                 self.included.push(index as u32);

@@ -139,6 +139,18 @@ pub enum Give {
     Much,
 }
 
+/// Whether a constraint takes part in contact problems (`dormant.rs`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Activity {
+    /// It does, but may fall asleep.
+    #[default]
+    Active,
+    /// A contact that is left out: nothing presses it, and its surfaces are further apart than the strands still move.
+    Dormant,
+    /// It was left out and closed again: it stays.
+    Roused,
+}
+
 /// A constraint of the present step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepConstraint {
@@ -168,11 +180,8 @@ pub struct StepConstraint {
     pub pushed: f64,
     /// It is one of two faces of a body in a crease, and stays on its face.
     pub in_crease: bool,
-    /// A contact left out of contact problems: nothing presses it, and its surfaces are further apart than the strands still
-    /// move.
-    pub dormant: bool,
-    /// It was dormant and closed again: it is not left out a second time.
-    pub roused: bool,
+    /// Whether it takes part.
+    pub activity: Activity,
     /// Whether the linear model of the strand at either end includes it, as of its last iteration.
     pub modelled: [bool; 2],
     /// Its state at the last check.
@@ -195,11 +204,15 @@ impl StepConstraint {
             off: 0.0,
             pushed: 0.0,
             in_crease: false,
-            dormant: false,
-            roused: false,
+            activity: Activity::Active,
             modelled: [true; 2],
             standing: Standing::UNKNOWN,
         }
+    }
+
+    /// Whether it is left out of contact problems.
+    pub fn is_dormant(&self) -> bool {
+        self.activity == Activity::Dormant
     }
 
     /// Its ends, the first one first.

@@ -34,7 +34,8 @@ use super::report::Phases;
 use super::strand::{Constrained, Strand};
 use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
-use crate::contact::constrained_strand::{Attachment, ConstrainedStrand};
+use crate::contact::constrained_strand::{Attachment, ConstrainedStrand, Formula, Meets, StrandEnd};
+use crate::contact::ending::Outcome;
 use crate::contact::island::Island;
 use crate::contact::options::{ContactModel, ContactOptions};
 use crate::contact::step_constraint::StepConstraint;
@@ -367,14 +368,14 @@ impl ConstrainedSubstep {
 
     /// Begins the step of the strands marked for it again, by implicit Euler.
     fn restart(scene: &mut Scene, packs: &mut Packs, constrained: &mut [ConstrainedStrand], h: f64) {
-        if !constrained.iter().any(|constrained| constrained.begins_again) || scene.meter.is_halted() {
+        let is_marked = |constrained: &ConstrainedStrand| constrained.formula == Formula::ToBeginAgain;
+        if !constrained.iter().any(is_marked) || scene.meter.is_halted() {
             return;
         }
-        for constrained in constrained.iter_mut().filter(|constrained| constrained.begins_again) {
-            (constrained.first_order, constrained.resting, constrained.looked_ahead) = (true, false, false);
+        packs.begin(scene, constrained, h, is_marked);
+        for constrained in constrained.iter_mut().filter(|constrained| is_marked(constrained)) {
+            (constrained.formula, constrained.resting, constrained.looked_ahead) = (Formula::ImplicitEuler, false, false);
         }
-        packs.begin(scene, constrained, h, |constrained| constrained.begins_again);
-        constrained.iter_mut().for_each(|constrained| constrained.begins_again = false);
     }
 
     /// Makes the ends of the iteration the strands' states.
@@ -390,18 +391,18 @@ impl ConstrainedSubstep {
             |pack: &mut AnyPack, strand: &mut Strand, constrained: &mut ConstrainedStrand, scratch: &mut WorkerScratch| {
                 let island = &islands[constrained.island as usize];
                 let left = island.progress.ending.stopped != Stopped::No;
-                if stopped == Stopped::Cancelled || stopped != Stopped::No && !constrained.advanced {
+                if stopped == Stopped::Cancelled || stopped != Stopped::No && constrained.end == StrandEnd::AsBegun {
                     constrained.step.outcome = if stopped == Stopped::Cancelled {
                         strand.go_with_root(h, bodies)
                     } else {
                         strand.carry_along(h, bodies, setting.rules)
                     };
-                    constrained.carried = true;
+                    constrained.end = StrandEnd::WithRoot;
                     return;
                 }
-                let at_end = constrained.resting || island.progress.ending.attempt_converged;
+                let at_end = constrained.resting || island.progress.ending.outcome >= Outcome::AttemptConverged;
                 let converged = !constrained.has_undetected
-                    && (island.progress.ending.converged || (at_end && island.holds(&constrained.attachments)));
+                    && (island.progress.ending.is_converged() || (at_end && island.holds(&constrained.attachments)));
                 let quarantined = constrained.step.outcome.quarantined || island.has_diverged(constrained);
                 let fails = !converged && !quarantined;
                 let behind = fails && island.is_behind(constrained);
@@ -411,7 +412,7 @@ impl ConstrainedSubstep {
                     // have passed through bodies and strands. Such an end is worse than the beginning: the strand stays on its
                     // side.
                     constrained.step.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
-                    constrained.carried = true;
+                    constrained.end = StrandEnd::WithRoot;
                     return;
                 }
                 let root = strand.state.root;
@@ -437,7 +438,7 @@ impl ConstrainedSubstep {
             };
         let finish = |work: &mut Work<Pair>, scratch: &mut WorkerScratch| {
             work.finish(setting, h, |constrained| {
-                stopped == Stopped::No || stopped != Stopped::Cancelled && constrained.advanced
+                stopped == Stopped::No || stopped != Stopped::Cancelled && constrained.end != StrandEnd::AsBegun
             });
             for (strand, constrained) in work.members.iter_mut().flatten() {
                 finish_one(work.pack, strand, constrained, scratch);
@@ -451,19 +452,22 @@ impl ConstrainedSubstep {
         for ((k, strand), constrained) in strands.zip(&mut self.strands) {
             constrained.index = k as u32;
             (constrained.mass, constrained.bending) = (strand.model.mass(), strand.model.bending_force());
-            constrained.collides = strand.contact.is_some();
             constrained.contact = strand.contact.as_deref().copied().unwrap_or_default();
             strand.body_motions(h, scene.bodies, &mut constrained.body_motions);
             constrained.final_poses.clear();
             if constrained.body_motions.iter().zip(scene.bodies).any(|([_, end], body)| *end != body.end) {
                 constrained.final_poses.extend(constrained.body_motions.iter().map(|[_, end]| *end));
             }
-            constrained.alone = constrained.lags();
-            (constrained.first_order, constrained.begins_again, constrained.resting) = (strand.touched, false, false);
+            constrained.meets = match () {
+                () if strand.contact.is_none() => Meets::Nothing,
+                () if constrained.lags() => Meets::Bodies,
+                () => Meets::All,
+            };
+            (constrained.formula, constrained.resting) =
+                (if strand.touched { Formula::ImplicitEuler } else { Formula::AsSet }, false);
             (constrained.ended, constrained.progress) = (None, None);
-            (constrained.left_deep, constrained.has_undetected, constrained.behind, constrained.carried) =
-                (false, false, false, false);
-            (constrained.root_gap, constrained.looked_ahead, constrained.advanced) = (f64::INFINITY, false, false);
+            (constrained.left_deep, constrained.has_undetected, constrained.behind) = (false, false, false);
+            (constrained.root_gap, constrained.looked_ahead, constrained.end) = (f64::INFINITY, false, StrandEnd::AsBegun);
             constrained.found.clear();
         }
         self.packs.clear();

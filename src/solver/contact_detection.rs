@@ -17,7 +17,7 @@ use super::constrained_substep::Scene;
 use super::constraints::{Constraint, ConstraintStatus, Hold};
 use super::id::StrandId;
 use crate::chain::load::MaterialPoint;
-use crate::contact::constrained_strand::ConstrainedStrand;
+use crate::contact::constrained_strand::{ConstrainedStrand, Meets};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::island::Island;
@@ -182,7 +182,7 @@ impl ContactDetection {
     fn find_hair(&mut self, scene: &Scene, strands: &[ConstrainedStrand], at_start: bool) {
         let within = if at_start { NEAR } else { 0.0 };
         let meets_hair =
-            |constrained: &ConstrainedStrand| constrained.collides && constrained.contact.wisp_radius > 0.0 && !constrained.alone;
+            |constrained: &ConstrainedStrand| constrained.meets == Meets::All && constrained.contact.wisp_radius > 0.0;
         let wisps = || strands.iter().enumerate().filter(|(_, constrained)| meets_hair(constrained));
         let paths: Vec<StrandPath> =
             wisps().map(|(k, constrained)| StrandPath { index: k as u32, ..constrained.path() }).collect();
@@ -385,7 +385,7 @@ impl ContactDetection {
         for end in undetected.iter().flatten().flat_map(StepConstraint::ends) {
             let strand = &mut strands[end.strand as usize];
             strand.has_undetected = true;
-            islands[strand.island as usize].progress.ending.converged = false;
+            islands[strand.island as usize].progress.ending.doubt();
         }
         let whole = undetected.is_some();
         self.undetected = undetected.unwrap_or_default();
@@ -414,7 +414,7 @@ impl ContactDetection {
         for constrained in strands.iter_mut() {
             let island = &islands[constrained.island as usize];
             (constrained.ended, constrained.progress) = (island.ended(), island.unfinished());
-            constrained.resting |= constrained.ended.is_some_and(|ending| ending.converged);
+            constrained.resting |= constrained.ended.is_some_and(|ending| ending.is_converged());
         }
         for end in undetected.iter().flat_map(StepConstraint::ends) {
             let strand = &mut strands[end.strand as usize];

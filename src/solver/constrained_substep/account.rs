@@ -83,7 +83,7 @@ impl ConstrainedSubstep {
             (scene.strands[strand.index as usize].id, strand.along(material_point))
         };
         for island in islands.iter().filter(|island| !island.is_subdivided) {
-            contact.unconverged += u32::from(!island.progress.ending.converged);
+            contact.unconverged += u32::from(!island.progress.ending.is_converged());
             contact.residual = contact.residual.max(island.progress.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
             let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
@@ -111,7 +111,8 @@ impl ConstrainedSubstep {
                         let (strand, arclength) = place(constraint.first.strand, &constraint.first.material_point);
                         let position =
                             self.strands[constraint.first.strand as usize].end_state(&constraint.first.material_point).now;
-                        let most = self.max_force(constraint, h) * if island.progress.ending.converged { SOLVED } else { 1.0 };
+                        let most =
+                            self.max_force(constraint, h) * if island.progress.ending.is_converged() { SOLVED } else { 1.0 };
                         let size = constraint.force.norm();
                         let force = if size > most { constraint.force * (most / size) } else { constraint.force };
                         contact.capped += u32::from(size > most);

@@ -3,7 +3,7 @@
 //! alone.
 
 use super::{ConstrainedSubstep, Scene};
-use crate::contact::constrained_strand::ConstrainedStrand;
+use crate::contact::constrained_strand::{ConstrainedStrand, Formula};
 use crate::contact::island::Island;
 use crate::memory::recycled;
 use crate::step::options::Integrator;
@@ -19,7 +19,8 @@ impl ConstrainedSubstep {
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         // Islands with contacts and with strands that use their own formula.
         let is_asked = |island: &Island, strands: &[ConstrainedStrand]| {
-            island.strands.iter().any(|constrained| !strands[*constrained as usize].first_order) && island.has_contacts()
+            island.strands.iter().any(|constrained| strands[*constrained as usize].formula == Formula::AsSet)
+                && island.has_contacts()
         };
         asked.clear();
         asked.extend(islands.iter().map(|island| is_asked(island, strands)));
@@ -50,8 +51,7 @@ impl ConstrainedSubstep {
             island.about_to_press(strands, pressed);
         }
         for constrained in &*pressed {
-            let constrained = &mut strands[*constrained as usize];
-            constrained.begins_again = !constrained.first_order;
+            strands[*constrained as usize].mark_pressed();
         }
         Self::restart(scene, packs, strands, h);
     }
@@ -61,8 +61,7 @@ impl ConstrainedSubstep {
     pub(super) fn begin_pressed_again(island: &Island, strands: &mut [ConstrainedStrand]) {
         for constraint in island.constraints.iter().filter(|constraint| constraint.presses()) {
             for end in constraint.ends() {
-                let constrained = &mut strands[end.strand as usize];
-                constrained.begins_again |= !constrained.first_order;
+                strands[end.strand as usize].mark_pressed();
             }
         }
     }

@@ -4,7 +4,7 @@
 
 use super::account::ContactTally;
 use super::{ConstrainedSubstep, Scene};
-use crate::contact::constrained_strand::ConstrainedStrand;
+use crate::contact::constrained_strand::{ConstrainedStrand, Formula};
 use crate::contact::ending::Next;
 use crate::contact::island::Island;
 use crate::memory::recycled;
@@ -68,7 +68,7 @@ impl ConstrainedSubstep {
                 }
                 if island.try_again(strands, options, h) == Next::BeginsAgain {
                     for constrained in &island.strands {
-                        strands[*constrained as usize].begins_again = true;
+                        strands[*constrained as usize].formula = Formula::ToBeginAgain;
                     }
                 }
             }

@@ -6,7 +6,7 @@
 use super::iterations::distribute_work;
 use super::packs::{MAX_LANES, Work, first_half, second_half, with_work};
 use super::{ConstrainedSubstep, Scene};
-use crate::contact::constrained_strand::{ConstrainedStrand, Solitary};
+use crate::contact::constrained_strand::{ConstrainedStrand, Formula, Solitary};
 use crate::contact::ending::Next;
 use crate::contact::island::Island;
 use crate::meter::Stopped;
@@ -29,7 +29,7 @@ struct Spent {
 
 /// Whether a strand takes part in the next iteration.
 fn goes_on(constrained: &ConstrainedStrand, island: &Island) -> bool {
-    !island.done && island.iterations_left > 0 && !constrained.begins_again
+    !island.done && island.iterations_left > 0 && constrained.formula != Formula::ToBeginAgain
 }
 
 impl ConstrainedSubstep {
@@ -93,7 +93,7 @@ fn iterate_pack(Work { pack, members }: &mut Work<Member>, scene: &Scene, h: f64
                 constrained.bend(kink, setting, pack);
                 island.go_on();
             } else if island.try_again(&Solitary(constrained), options, h) == Next::BeginsAgain {
-                constrained.begins_again = true;
+                constrained.formula = Formula::ToBeginAgain;
             }
         }
         let goes: [bool; MAX_LANES] =
@@ -112,8 +112,9 @@ fn iterate_pack(Work { pack, members }: &mut Work<Member>, scene: &Scene, h: f64
             let strand = Solitary(constrained);
             island.find_ends(&strand);
             island.solve_or_diverge(&strand, options, h, &mut scratch.problem, &alone, meter);
-            if second_order && !island.done && island.progress.iterations < options.max_iterations {
-                constrained.begins_again |= !constrained.first_order && island.presses();
+            let may_begin_again = second_order && !island.done && island.progress.iterations < options.max_iterations;
+            if may_begin_again && island.presses() {
+                constrained.mark_pressed();
             }
         }
         contact += solves.elapsed().as_secs_f64();

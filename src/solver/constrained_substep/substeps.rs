@@ -7,7 +7,7 @@
 use super::account::{Account, ContactTally};
 use super::{ConstrainedSubstep, Scene};
 use crate::contact::body::{Body, BodyAt};
-use crate::contact::constrained_strand::ConstrainedStrand;
+use crate::contact::constrained_strand::{ConstrainedStrand, StrandEnd};
 use crate::contact::contact_point::Partner;
 use crate::contact::island::{FEW, Island};
 use crate::meter::Stopped;
@@ -46,7 +46,7 @@ impl ConstrainedSubstep {
             let may = island.failed() && !island.has_bilateral() && !scene.options.model.is_soft();
             // (A large tangle that cannot be satisfied is expensive. Substeps do not separate what two surfaces push into each
             // other.)
-            let large = !scene.is_nested && (island.progress.ending.diverged || island.left.newly > deep);
+            let large = !scene.is_nested && (island.is_diverged() || island.left.newly > deep);
             let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
             island.is_subdivided = may && (few || large);
         }
@@ -87,7 +87,7 @@ impl ConstrainedSubstep {
             {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
                 // (Strands that stayed as they were when the step began have no end to return to.)
-                island.is_subdivided = left[k] <= most || island.progress.ending.diverged;
+                island.is_subdivided = left[k] <= most || island.is_diverged();
                 some_go_back |= !island.is_subdivided;
                 substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
             }
@@ -166,7 +166,8 @@ impl ConstrainedSubstep {
     /// Measures the depth of islands with strands that move with their roots or are rolled back: for these the end of the
     /// iteration no longer counts. (Not within a nested substep, nor of islands that are subdivided.)
     pub(super) fn report_replaced(&mut self, scene: &Scene, h: f64) {
-        let is_replaced = |constrained: &ConstrainedStrand| constrained.carried || constrained.step.outcome.quarantined;
+        let is_replaced =
+            |constrained: &ConstrainedStrand| constrained.end == StrandEnd::WithRoot || constrained.step.outcome.quarantined;
         if scene.is_nested || scene.meter.is_halted() || !self.strands[..self.count].iter().any(is_replaced) {
             return;
         }
