@@ -419,7 +419,7 @@ mod tests {
             for (k, rows) in [rows, rows_after].iter().enumerate() {
                 let root = poses[k].inverse().compose(&[start, end][k]);
                 element_states(rotation_matrix(&root), lengths, rows, &mut ends[k]);
-                ends[k].iter_mut().for_each(|state| state.origin_left = state.origin_left + Vec3(root.origin.into()));
+                ends[k].iter_mut().for_each(|state| state.origin_left += Vec3(root.origin.into()));
             }
             let mut gap = f64::INFINITY;
             for (k, length) in lengths.iter().enumerate() {
