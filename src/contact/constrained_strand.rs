@@ -72,6 +72,13 @@ pub enum Formula {
     ImplicitEuler,
 }
 
+impl Formula {
+    /// Whether a step that begins with it is one of first order, by implicit Euler.
+    pub fn is_first_order(self) -> bool {
+        self != Self::AsSet
+    }
+}
+
 /// What a strand may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Meets {
@@ -182,7 +189,7 @@ impl ConstrainedStrand {
 
     /// Something presses it: its step begins again, unless it is one of implicit Euler already.
     pub fn mark_pressed(&mut self) {
-        if self.formula == Formula::AsSet {
+        if !self.formula.is_first_order() {
             self.formula = Formula::ToBeginAgain;
         }
     }

@@ -2,14 +2,14 @@
 //! and time by time.
 //!
 //! As in the exact search, points move straight in the body's turning axes. A piece of strand in a part of the step lies within
-//! a ball about its middle in the middle of that part, or around its chord then; in a grid, the distance along it is no less than
-//! a parabola from either end. Pieces that may meet the surface by that are halved, along the strand or in time.
+//! a ball about its middle in the middle of that part, or around its chord then; in a grid, the distance along it is bounded from
+//! below by a parabola from either end. Pieces that may meet the surface by that are halved, along the strand or in time.
 //!
 //! Files:
 //!
 //! - `balls.rs`: Pieces of an element in balls, for shapes that only know how far they are from a point.
 //! - `chords.rs`: Pieces of an element kept apart from a convex shape by planes.
-//! - `field.rs`: Pieces of an element in a distance grid: its field and gradient where a piece ends, and how much it bends, bound it to second order along the piece.
+//! - `field.rs`: Pieces of an element in a distance grid.
 
 mod balls;
 mod chords;
@@ -101,6 +101,12 @@ impl Element<'_> {
     /// How far, at most, a piece of some length is off its chord, point by point, at the start and at the end.
     fn off_chord(&self, length: f64) -> f64 {
         self.states[0].off_chord_of(length).max(self.states[1].off_chord_of(length))
+    }
+
+    /// The same, at the beginning and the end of a part of the step: points go straight.
+    fn path_in(&self, s: f64, time: [f64; 2]) -> [Vector3<f64>; 2] {
+        let [start, end] = self.path(s);
+        time.map(|t| start + (end - start) * t)
     }
 
     /// Positions of its left end, at the start and at the end.
@@ -264,10 +270,8 @@ impl FreePath<'_> {
         match (separator, body.shape.grid()) {
             (Some(separator), _) => self.is_clear_by_chords(body, separator, element, exempt, spare, pieces),
             (None, Some(grid)) => {
-                let mut field = Field { grid, slope: body.shape.distance_slope(), places: *pieces };
-                let is_clear = self.is_clear_in_field(body, &mut field, element, exempt, spare);
-                *pieces = field.places;
-                is_clear
+                let field = Field { grid, slope: body.shape.distance_slope(), places: pieces };
+                self.is_clear_in_field(body, field, element, exempt, spare)
             }
             (None, None) => self.is_clear_by_balls(body, element, exempt, spare, pieces),
         }
@@ -377,16 +381,16 @@ mod tests {
     }
 
     /// Curved strands on straight paths past a ball with dents, as a grid that stands still or turns, as thick as what a dense sample of places and
-    /// times leaves free: a micrometre thicker none is told clear, a fiftieth of a millimetre thinner nineteen in twenty are.
+    /// times leaves free: a micrometre thicker, none is found clear; a fiftieth of a millimetre thinner, nineteen in twenty are.
     #[test]
-    fn in_a_field_strands_are_told_clear_up_to_the_gap_that_there_is() {
+    fn in_a_field_strands_are_found_clear_up_to_their_gap() {
         let ball = field_of(|at| at.norm() - 0.03 + 1e-3 * (250.0 * at.x).sin() * (250.0 * at.y).cos() * (250.0 * at.z).cos());
         let grid = ball.grid().unwrap();
         let mut number = signed_numbers(17);
         let (lengths, exempt) = ([0.02; 3], 0.003);
         let permitted_overlap =
             PermittedOverlap { along: vec![0.0, 0.013, 0.05], wisp_fractions: vec![1.0; 3], sunk: vec![0.004, 0.001, 0.0] };
-        let (mut cases, mut told) = (0, 0);
+        let (mut cases, mut found) = (0, 0);
         for case in 0..3000 {
             let mut vector = |size: f64| size * at(number(), number(), number());
             let toward = vector(1.0).normalize();
@@ -439,15 +443,15 @@ mod tests {
             }
             if gap > 2e-5 {
                 assert!(!is_clear(gap + 1e-6), "case {case}: {gap:e} m");
-                (cases, told) = (cases + 1, told + usize::from(is_clear(gap - 2e-5)));
+                (cases, found) = (cases + 1, found + usize::from(is_clear(gap - 2e-5)));
             }
         }
-        assert!(cases > 1000 && told * 100 >= 95 * cases, "{told} of {cases}");
+        assert!(cases > 1000 && found * 100 >= 95 * cases, "{found} of {cases}");
     }
 
     /// A strand that lies on a ball along a great circle, from its root in the surface to its tip, a micrometre off or a micrometre in it.
     #[test]
-    fn what_lies_on_a_field_all_along_is_told_clear() {
+    fn what_lies_on_a_field_all_along_is_found_clear() {
         let [_, ball] = balls();
         let lies = |gap: f64| {
             let radius = 0.03 + RADIUS + gap;

@@ -463,8 +463,8 @@ impl ConstrainedSubstep {
                 () if constrained.lags() => Meets::Bodies,
                 () => Meets::All,
             };
-            (constrained.formula, constrained.resting) =
-                (if strand.touched { Formula::ImplicitEuler } else { Formula::AsSet }, false);
+            constrained.formula = if strand.touched { Formula::ImplicitEuler } else { Formula::AsSet };
+            constrained.resting = false;
             (constrained.ended, constrained.progress) = (None, None);
             (constrained.left_deep, constrained.has_undetected, constrained.behind) = (false, false, false);
             (constrained.root_gap, constrained.looked_ahead, constrained.end) = (f64::INFINITY, false, StrandEnd::AsBegun);

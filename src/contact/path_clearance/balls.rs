@@ -50,9 +50,7 @@ impl FreePath<'_> {
             if half_piece >= half_path {
                 let s = 0.5 * (from + to);
                 for along in [[from, s], [s, to]] {
-                    let whole = element.path(0.5 * (along[0] + along[1]));
-                    let at = |t: f64| whole[0] + (whole[1] - whole[0]) * t;
-                    pieces[count] = Piece { along, path: time.map(at), time };
+                    pieces[count] = Piece { along, path: element.path_in(0.5 * (along[0] + along[1]), time), time };
                     count += 1;
                 }
             } else {

@@ -55,8 +55,7 @@ impl FreePath<'_> {
             }
             if off_chord >= half_path {
                 let s = 0.5 * (from + to);
-                let whole = element.path(s);
-                let middle = time.map(|t: f64| whole[0] + (whole[1] - whole[0]) * t);
+                let middle = element.path_in(s, time);
                 pieces[count] = Chord { along: [from, s], paths: [paths[0], middle], time };
                 pieces[count + 1] = Chord { along: [s, to], paths: [middle, paths[1]], time };
             } else {

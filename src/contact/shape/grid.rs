@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::bake_open;
-use super::bends::Bends;
 use super::bounds::Bounds;
+use super::hessian_bounds::HessianBounds;
 use super::lattice::Lattice;
 use super::mesh::{Mesh, Sides};
 use super::planes::{PlaneField, Planes};
@@ -25,7 +25,7 @@ pub struct DistanceGrid {
     counts: [u32; 3],
     values: Box<[f32]>,
     planes: Planes,
-    bends: Bends,
+    hessian_bounds: HessianBounds,
 }
 
 impl DistanceGrid {
@@ -55,7 +55,7 @@ impl DistanceGrid {
             counts,
             values: values.into(),
             planes: Planes::default(),
-            bends: Bends::default(),
+            hessian_bounds: HessianBounds::default(),
         })
     }
 
@@ -115,7 +115,7 @@ impl DistanceGrid {
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
             return Err(Error::invalid(format!("values[{index}]"), values[index], "a finite number"));
         }
-        Ok(Self { low, cell, band, counts, values, planes: Planes::default(), bends: Bends::default() })
+        Ok(Self { low, cell, band, counts, values, planes: Planes::default(), hessian_bounds: HessianBounds::default() })
     }
 
     /// The lowest node, m.
@@ -229,9 +229,10 @@ impl DistanceGrid {
         })
     }
 
-    /// How fast its gradient turns within `reach` metres of a point at most, 1/m. None where that leaves the grid, or is too far to be told.
-    pub(in crate::contact) fn bend_about(&self, point: &Vector3<f64>, reach: f64) -> Option<f64> {
-        self.bends.about(self, &((point - self.low) / self.cell), reach / self.cell)
+    /// An upper bound on the norm of the field's Hessian within `reach` metres of a point, 1/m: the gradient changes no faster. None where that leaves the
+    /// grid, or is too far.
+    pub(in crate::contact) fn hessian_bound(&self, point: &Vector3<f64>, reach: f64) -> Option<f64> {
+        self.hessian_bounds.about(self, &((point - self.low) / self.cell), reach / self.cell)
     }
 
     /// The field's value (m) and gradient at a point; None outside the grid.
@@ -252,7 +253,7 @@ impl DistanceGrid {
 
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
-        size_of_val::<[f32]>(&self.values) + self.planes.heap_bytes() + self.bends.heap_bytes()
+        size_of_val::<[f32]>(&self.values) + self.planes.heap_bytes() + self.hessian_bounds.heap_bytes()
     }
 }
 

@@ -3,7 +3,6 @@
 //! Files:
 //!
 //! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: winding numbers give the sign.
-//! - `bends.rs`: How much a distance grid's field bends: bounds on its second derivatives, block by block of cells.
 //! - `bounds.rs`: Boxes along the axes, around what is to be kept apart cheaply.
 //! - `capsule.rs`: Capsule: all points within a radius of a segment.
 //! - `cuboid.rs`: Box about the origin, along the axes.
@@ -11,6 +10,7 @@
 //! - `flat_triangle.rs`: A triangle in axes of its own, for many queries of how far points are from it.
 //! - `grid.rs`: Signed distance grid: a closed surface as distances at the nodes of a lattice, cubic in between.
 //! - `half_space.rs`: Half of space, bounded by a plane through the origin.
+//! - `hessian_bounds.rs`: Bounds on the second derivatives of a distance grid's field, block by block of cells.
 //! - `hull.rs`: Convex hull of points, as a closed mesh.
 //! - `lattice.rs`: The nodes at which a distance grid is baked.
 //! - `mesh.rs`: Triangle mesh: its checks, its neighbours, its motion over a step.
@@ -27,7 +27,6 @@
 //! - `winding.rs`: Winding numbers: how often a surface goes around a point, also a surface that is not quite closed.
 
 mod bake_open;
-mod bends;
 mod bounds;
 mod capsule;
 mod cuboid;
@@ -35,6 +34,7 @@ mod ellipsoid;
 mod flat_triangle;
 mod grid;
 mod half_space;
+mod hessian_bounds;
 mod hull;
 mod lattice;
 mod mesh;

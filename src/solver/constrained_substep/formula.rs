@@ -3,7 +3,7 @@
 //! alone.
 
 use super::{ConstrainedSubstep, Scene};
-use crate::contact::constrained_strand::{ConstrainedStrand, Formula};
+use crate::contact::constrained_strand::ConstrainedStrand;
 use crate::contact::island::Island;
 use crate::memory::recycled;
 use crate::step::options::Integrator;
@@ -19,7 +19,7 @@ impl ConstrainedSubstep {
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         // Islands with contacts and with strands that use their own formula.
         let is_asked = |island: &Island, strands: &[ConstrainedStrand]| {
-            island.strands.iter().any(|constrained| strands[*constrained as usize].formula == Formula::AsSet)
+            island.strands.iter().any(|constrained| !strands[*constrained as usize].formula.is_first_order())
                 && island.has_contacts()
         };
         asked.clear();

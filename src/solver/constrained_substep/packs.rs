@@ -4,7 +4,7 @@
 //! of its strands. A strand that begins its step again moves to a pack of such strands. No result depends on the pack.
 
 use super::Scene;
-use crate::contact::constrained_strand::{ConstrainedStrand, FirstHalf, Formula};
+use crate::contact::constrained_strand::{ConstrainedStrand, FirstHalf};
 use crate::contact::island::Island;
 use crate::math::frame::Frame;
 use crate::math::lane::Precision;
@@ -90,7 +90,7 @@ impl Packs {
                     setting.options.integrator,
                     h,
                 );
-                self.order.push((constrained.formula != Formula::AsSet, kind, strand.last.iterations, place as u32));
+                self.order.push((constrained.formula.is_first_order(), kind, strand.last.iterations, place as u32));
             }
         }
         self.order.sort_unstable();
@@ -111,7 +111,7 @@ impl Packs {
             if !constrained && meter.is_halted() {
                 return;
             }
-            let first_order = members.iter().flatten().any(|(_, constrained)| constrained.formula != Formula::AsSet);
+            let first_order = members.iter().flatten().any(|(_, constrained)| constrained.formula.is_first_order());
             let mut strands = [const { None }; MAX_LANES];
             let mut lanes = [const { None }; MAX_LANES];
             for (lane, (strand, constrained)) in running(members) {

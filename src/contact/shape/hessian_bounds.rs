@@ -1,7 +1,7 @@
-//! How much a distance grid's field bends: bounds on its second derivatives, block by block of cells.
+//! Bounds on the second derivatives of a distance grid's field, block by block of cells.
 //!
-//! With them a value and a gradient at one point tell how near the surface can be all around, to second order: far more than the
-//! field's steepest slope does where hair lies along a surface.
+//! With them a value and a gradient at one point bound the field around it to second order: much closer than its steepest slope does
+//! where hair lies along a surface.
 //!
 //! Along an axis the field is Catmull and Rom's cubic of the nodes, whose second derivative is linear in a cell: between
 //! 2a − 5b + 4c − d at the cell's one end and −a + 4b − 5c + 2d at its other, a to d being the four nodes. Its first derivative is a mean of the
@@ -20,7 +20,7 @@ use super::grid::DistanceGrid;
 const CELLS: usize = 2;
 /// The nodes along an axis from which a block's cells are interpolated.
 const NODES: usize = CELLS + 3;
-/// Balls that meet more blocks than this along an axis are not told of.
+/// There is no bound for balls that meet more blocks than this along an axis.
 const MOST_BLOCKS: usize = 3;
 /// The most that magnitudes of the cubic's weights add up to, and of the weights of differences in its slope: halfway between nodes.
 const SPREAD: f64 = 1.25;
@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1.0 + 1e-6;
 
 /// The bounds of a grid, each found when it is first asked for. They come of the distances and are no part of what a grid is.
 #[derive(Debug, Default)]
-pub(super) struct Bends(OnceLock<Blocks>);
+pub(super) struct HessianBounds(OnceLock<Blocks>);
 
 /// Bounds of the blocks, 1/m, as the bits of numbers in single precision; [`UNKNOWN`] until they are asked for.
 #[derive(Debug)]
@@ -42,21 +42,21 @@ struct Blocks {
 /// No bound has these bits: it would be below zero.
 const UNKNOWN: u32 = u32::MAX;
 
-impl Clone for Bends {
+impl Clone for HessianBounds {
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
-impl PartialEq for Bends {
+impl PartialEq for HessianBounds {
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-impl Bends {
-    /// The most that the field's slope turns over a unit of distance within a ball, in cells from the lowest node, 1/m. None where the ball leaves
-    /// the grid, or is too large.
+impl HessianBounds {
+    /// An upper bound on the norm of the Hessian within a ball, given in cells from the lowest node, 1/m. None where the ball leaves the grid, or is too
+    /// large.
     pub fn about(&self, grid: &DistanceGrid, place: &Vector3<f64>, radius: f64) -> Option<f64> {
         let blocks = self.0.get_or_init(|| Blocks::new(grid));
         let (mut from, mut to) = ([0; 3], [0; 3]);
@@ -127,7 +127,7 @@ impl Range {
     }
 }
 
-/// Bounds the field's bend in a block, 1/m.
+/// Bounds the norm of the Hessian in a block, 1/m.
 #[cold]
 fn find(grid: &DistanceGrid, block: [usize; 3]) -> f64 {
     let nodes = gather(grid, block);
@@ -135,29 +135,29 @@ fn find(grid: &DistanceGrid, block: [usize; 3]) -> f64 {
     let mut squares = 0.0;
     for axis in 0..3 {
         let (along, [across, beyond]) = (strides[axis], [strides[(axis + 1) % 3], strides[(axis + 2) % 3]]);
-        let (mut bend, mut twist) = (Range::NONE, Range::NONE);
+        let (mut pure, mut mixed) = (Range::NONE, Range::NONE);
         for k in 0..NODES {
             for j in 0..NODES {
                 let row = j * across + k * beyond;
                 for i in 0..CELLS {
                     let [a, b, c, d] = [0, 1, 2, 3].map(|node| nodes[row + (i + node) * along]);
-                    bend.take(2.0 * a - 5.0 * b + 4.0 * c - d);
-                    bend.take(4.0 * b - a - 5.0 * c + 2.0 * d);
+                    pure.take(2.0 * a - 5.0 * b + 4.0 * c - d);
+                    pure.take(4.0 * b - a - 5.0 * c + 2.0 * d);
                 }
                 if j + 1 < NODES {
                     for i in 0..NODES - 1 {
                         let corner = row + i * along;
                         let ahead = nodes[corner + along + across] - nodes[corner + across];
-                        twist.take(ahead - (nodes[corner + along] - nodes[corner]));
+                        mixed.take(ahead - (nodes[corner + along] - nodes[corner]));
                     }
                 }
             }
         }
-        let bend = bend.largest_mean(SPREAD * SPREAD);
-        let twist = twist.largest_mean(SPREAD * SLOPE_SPREAD * SLOPE_SPREAD);
-        squares += bend * bend + 2.0 * twist * twist;
+        let pure = pure.largest_mean(SPREAD * SPREAD);
+        let mixed = mixed.largest_mean(SPREAD * SLOPE_SPREAD * SLOPE_SPREAD);
+        squares += pure * pure + 2.0 * mixed * mixed;
     }
-    // (The root of the sum of squares of a matrix is no less than what it does to any vector.)
+    // (The Frobenius norm is no less than the spectral norm.)
     squares.sqrt() / (grid.cell() * grid.cell())
 }
 
@@ -212,7 +212,7 @@ mod tests {
     /// Between any two points in a ball, at the grid's ends too, the gradient differs by no more than the bound times their distance; in fields as
     /// rough as can be, the bound is not many times what is found.
     #[test]
-    fn no_gradient_turns_faster_than_the_bound() {
+    fn no_gradient_changes_faster_than_the_bound() {
         let mut number = signed_numbers(7);
         let mut largest = 0.0_f64;
         for counts in [[9, 14, 6], [2, 3, 5], [4, 4, 17]] {
@@ -224,9 +224,9 @@ mod tests {
                 let mut place = || extent.map(|extent| extent * (0.5 + 0.5 * number()));
                 let (centre, toward) = (place(), (place() - place()).normalize());
                 let radius = 0.3;
-                let Some(bend) = grid.bend_about(&(centre * CELL), radius * CELL) else { continue };
+                let Some(bound) = grid.hessian_bound(&(centre * CELL), radius * CELL) else { continue };
                 let turned = (gradient(centre + toward * radius) - gradient(centre - toward * radius)).norm();
-                let most = bend * 2.0 * radius * CELL;
+                let most = bound * 2.0 * radius * CELL;
                 assert!(turned <= most * (1.0 + 1e-9), "{turned} {most} about {centre}");
                 largest = largest.max(turned / most);
             }
@@ -234,16 +234,16 @@ mod tests {
         assert!(largest > 0.1, "{largest}");
     }
 
-    /// The distance of a ball of radius R bends by 1/R in two directions.
+    /// The distance from a ball has second derivatives of 1/R in two directions.
     #[test]
     fn of_a_ball_the_bound_is_little_more_than_its_curvature() {
         let (centre, radius) = (Vector3::repeat(0.1), 0.06);
         let grid = grid([41; 3], |at| (at - centre).norm() - radius);
         let bytes = grid.heap_bytes();
-        let about = |y: f64, reach: f64| grid.bend_about(&(Vector3::new(20.3, y, 20.1) * CELL), reach * CELL);
-        let bend = about(8.2, 0.2).unwrap();
-        assert!(bend * radius > 1.0 && bend * radius < 4.0, "{}", bend * radius);
-        // Nothing is told beyond the grid, of what is not a place, and of what is too large.
+        let about = |y: f64, reach: f64| grid.hessian_bound(&(Vector3::new(20.3, y, 20.1) * CELL), reach * CELL);
+        let bound = about(8.2, 0.2).unwrap();
+        assert!(bound * radius > 1.0 && bound * radius < 4.0, "{}", bound * radius);
+        // There is no bound beyond the grid, about what is not a place, and for what is too large.
         for (y, reach) in [(0.1, 0.2), (39.9, 0.2), (f64::NAN, 0.2), (20.0, 9.0), (20.0, f64::NAN)] {
             assert!(about(y, reach).is_none());
         }
