@@ -382,6 +382,13 @@ fn strands_chased_by_bodies_do_not_diverge_for_long() {
     }
 }
 
+/// Strands wound round each other: a contact on a side on which they never were would wedge them.
+#[test]
+fn strands_wound_round_each_other_gain_no_energy() {
+    let (mut scene, name) = case_of(399, false);
+    scene.run(&name, &mut Tally::default());
+}
+
 #[test]
 fn bodies_thrown_through_hair() {
     let number = |name: &str, default: u64| std::env::var(name).map_or(default, |value| value.parse().unwrap());

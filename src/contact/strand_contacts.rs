@@ -59,10 +59,21 @@ pub(super) fn relative_motion(a: [Vector3<f64>; 2], b: [Vector3<f64>; 2]) -> f64
 /// A contact and what its neighbours need to know of it.
 #[derive(Debug, Clone, Copy)]
 struct Found {
-    contact: ContactPoint,
+    points: [StrandPoint; 2],
+    /// Unit, from the second point to the first.
+    normal: Vector3<f64>,
+    gap: f64,
     along: [f64; 2],
     /// The strands crossed here, and the contact keeps the initial side.
     crossed: bool,
+}
+
+impl Found {
+    fn contact(&self) -> ContactPoint {
+        let [point, partner] = self.points;
+        let partner = Partner::Strand(partner);
+        ContactPoint { point, partner, normal: self.normal, gap: self.gap, carried: Vector3::zeros() }
+    }
 }
 
 /// Memory of one thread's search for contacts.
@@ -105,11 +116,11 @@ impl TwoStrands<'_> {
         for (a, b) in candidates {
             self.of_pieces(&a, &b, &mut scratch.found);
         }
-        keep_sides_beside(&mut scratch.found, self.radii());
+        self.keep_sides_beside(&mut scratch.found);
         let order = |x: &Found, y: &Found| x.along[0].total_cmp(&y.along[0]).then(x.along[1].total_cmp(&y.along[1]));
         scratch.found.sort_unstable_by(order);
         merge(&mut scratch.found, MERGED * self.radii());
-        out.extend(scratch.found.iter().map(|found| found.contact));
+        out.extend(scratch.found.iter().map(Found::contact));
     }
 
     fn of_pieces(&self, a: &MovingPiece, b: &MovingPiece, found: &mut Vec<Found>) {
@@ -222,18 +233,44 @@ impl TwoStrands<'_> {
             }
         }
         let now = direction(near);
+        let points = [
+            StrandPoint { strand: self.a.index, element: a.piece.element, s: near.s[0] },
+            StrandPoint { strand: self.b.index, element: b.piece.element, s: near.s[1] },
+        ];
+        let side = side.filter(|side| !self.were_elsewhere(&points, side, &now));
         let normal = match side {
             Some(side) if side.dot(&now) <= 0.0 => side,
             _ => now,
         };
-        let contact = ContactPoint {
-            point: StrandPoint { strand: self.a.index, element: a.piece.element, s: near.s[0] },
-            partner: Partner::Strand(StrandPoint { strand: self.b.index, element: b.piece.element, s: near.s[1] }),
-            normal,
-            gap: normal.dot(&near.apart) - self.radii(),
-            carried: Vector3::zeros(),
-        };
-        found.push(Found { contact, along, crossed: side.is_some() });
+        let gap = normal.dot(&near.apart) - self.radii();
+        found.push(Found { points, normal, gap, along, crossed: side.is_some() });
+    }
+
+    /// Whether two points were where they are `now` when the step began, and not on `side`: they have not crossed. (Strands
+    /// wound round each other are on all sides of each other within a centimetre, and may have crossed beside.)
+    fn were_elsewhere(&self, points: &[StrandPoint; 2], side: &Vector3<f64>, now: &Vector3<f64>) -> bool {
+        let at = |path: &StrandPath, point: &StrandPoint| path.start.position(point.element as usize, point.s);
+        let before = self.turned * (at(self.a, &points[0]) - at(self.b, &points[1]));
+        before.dot(now) > 0.0 && before.dot(side) < 0.0
+    }
+
+    /// Contacts beside a crossing lie on the same side as it: their pieces may have come near after it.
+    fn keep_sides_beside(&self, found: &mut [Found]) {
+        let radii = self.radii();
+        for index in 0..found.len() {
+            let Found { points, normal: now, gap, along, crossed } = found[index];
+            if crossed {
+                continue;
+            }
+            let beside = found.iter().filter(|other| other.crossed).find(|other| {
+                let off = |k: usize| (other.along[k] - along[k]).abs();
+                off(0).max(off(1)) <= 2.0 * radii + (gap + radii).abs() && other.normal.dot(&now) < 0.0
+            });
+            let side = beside.map(|other| other.normal).filter(|side| !self.were_elsewhere(&points, side, &now));
+            if let Some(side) = side {
+                (found[index].normal, found[index].gap) = (side, (gap + radii) * now.dot(&side) - radii);
+            }
+        }
     }
 }
 
@@ -274,29 +311,9 @@ fn goes_on(near: &PointPair, which: usize, piece: &MovingPiece) -> bool {
     (s <= first && slope > slight && piece.piece.continued[0]) || (s >= last && slope < -slight && piece.piece.continued[1])
 }
 
-/// Contacts beside a crossing lie on the same side as it: their pieces may have come near after it.
-fn keep_sides_beside(found: &mut [Found], radii: f64) {
-    for index in 0..found.len() {
-        if found[index].crossed {
-            continue;
-        }
-        let this = found[index];
-        let beside = found.iter().filter(|other| other.crossed).find(|other| {
-            let off = |k: usize| (other.along[k] - this.along[k]).abs();
-            off(0).max(off(1)) <= 2.0 * radii + (this.contact.gap + radii).abs()
-                && other.contact.normal.dot(&this.contact.normal) < 0.0
-        });
-        if let Some(normal) = beside.map(|other| other.contact.normal) {
-            let distance = (this.contact.gap + radii) * this.contact.normal.dot(&normal);
-            found[index].contact.normal = normal;
-            found[index].contact.gap = distance - radii;
-        }
-    }
-}
-
 /// Of contacts closer than `least` along both strands the one that crossed, or is deepest, stays. Sorted before and after.
 fn merge(found: &mut Vec<Found>, least: f64) {
-    let better = |x: &Found, y: &Found| (x.crossed && !y.crossed) || (x.crossed == y.crossed && x.contact.gap < y.contact.gap);
+    let better = |x: &Found, y: &Found| (x.crossed && !y.crossed) || (x.crossed == y.crossed && x.gap < y.gap);
     let mut kept = 0;
     'each: for index in 0..found.len() {
         let this = found[index];

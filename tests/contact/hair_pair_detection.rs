@@ -423,6 +423,54 @@ fn strands_that_passed_through_each_other_keep_their_side() {
     }
 }
 
+/// A strand wound round a straight one is on all sides of it within a centimetre. A place that is where it was is on its old side, wherever the strands
+/// have crossed beside it.
+#[test]
+fn of_strands_wound_round_each_other_only_places_that_crossed_keep_their_side() {
+    let mut random = Random(5);
+    let (mut kept, mut stayed) = (0, 0);
+    for _ in 0..2000 {
+        // The axis is x; the wound strand begins at a radius from it.
+        let (radius, pitch) = (1e-3 * (2.2 + 1.5 * random.next()), 0.01 + 0.02 * random.next());
+        let step = pitch / std::f64::consts::TAU;
+        let square = radius * radius + step * step;
+        let (twist, bend) = (step / square, radius / square);
+        let tilt = Rotation3::from_axis_angle(&Vector3::z_axis(), -bend.atan2(twist));
+        let turn = Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::TAU * random.next());
+        let coil = Strand {
+            origin: turn * Vector3::new(0.0, 0.0, radius),
+            root: turn * tilt,
+            lengths: vec![2.4 * std::f64::consts::TAU * square.sqrt() / 8.0; 8],
+            curvatures: vec![[twist, bend, 0.0]; 8],
+        };
+        let straight = Strand::straight(Vector3::new(-0.05, 0.0, 0.0), Vector3::new(0.15, 0.0, 0.0), 8);
+        // (The roots keep their orientation: common rotations do not count.)
+        let rebent = coil.curvatures.iter().map(|row| row.map(|k| k * (1.0 + 1.5 * random.centred()))).collect();
+        let moved = Strand { origin: coil.origin + random.vector() * 8e-3, curvatures: rebent, ..coil.clone() };
+        let (then, now) = (vec![straight.clone(), coil], vec![straight, moved]);
+        let mut pairs = HairPairs::default();
+        pairs.set(&wisps(2, 1e-3), &options(0.1e-3, 0.0)).unwrap();
+        let (_, contacts) = contacts_between(&mut pairs, &then, &now);
+        let poses = [&then, &now].map(|strands| [strands[0].pose(), strands[1].pose()]);
+        for contact in &contacts {
+            let other = partner(contact);
+            let apart = |k: usize| {
+                let strands = [&then, &now][k];
+                strands[0].curve(&poses[k][0]).position(contact.point.element as usize, contact.point.s)
+                    - strands[1].curve(&poses[k][1]).position(other.element as usize, other.s)
+            };
+            let (before, after) = (apart(0), apart(1));
+            if contact.normal.dot(&after) > 0.0 {
+                stayed += 1;
+            } else {
+                kept += 1;
+                assert!(before.dot(&contact.normal) > 0.0 || before.dot(&after) < 0.0, "{contact:?}: from {before} to {after}");
+            }
+        }
+    }
+    assert!(kept > 10_000 && stayed > 200, "{kept} crossed, {stayed} did not");
+}
+
 #[test]
 fn common_rotations_and_detours_are_not_crossings() {
     // Both turn by two radians about the first: normals turn with them.
