@@ -1,7 +1,7 @@
 //! The cost of contact: a thousand guides on Sintel's bust, shaken, hair against hair and bust, with each model. Also each
 //! model's error for its cost (`price.rs`), and the cost per contact as contacts grow in number (`scaling.rs`).
 //!
-//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--walk-only [--scale X] [--case K]]
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--strands-only] [--walk-only [--scale X] [--case K]]
 //! [--jumps-only [--random N]]`
 
 mod jumps;
@@ -35,10 +35,14 @@ const BAND: f64 = 0.02;
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 /// A step that leaves an overlap deeper than this is a deep one, m.
 const DEEP: f64 = 1e-4;
+/// Steps of the walk for each row of the table of strands and threads.
+const STRANDS_STEPS: usize = 16;
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
 /// The models, their largest numbers of iterations, and their names in tables.
-const MODELS: [(ContactModel, u32, f64, &str); 7] = [
+const MODELS: [(ContactModel, u32, f64, &str); 9] = [
+    (ContactModel::AtPoints, 1, 1e-4, "at points, 1 iteration"),
+    (ContactModel::AtPoints, 4, 1e-4, "at points, 4 iterations"),
     (ContactModel::Penalty, 1, 1e-4, "penalty, 1 iteration"),
     (ContactModel::Penalty, 2, 1e-4, "penalty, 2 iterations"),
     (ContactModel::Penalty, 4, 1e-4, "penalty, 4 iterations"),
@@ -209,7 +213,13 @@ fn main() -> Outcome<()> {
     let scale = option("--scale").map_or(Ok(if quick { 0.02 } else { 1.0 }), |text| text.parse())?;
     let case = option("--case").map(|text| text.parse()).transpose()?;
     let run = walk::Run { steps, threads, scale, only: case };
-    let walk = || walk::table(&head, (&vertices, &bust.triangles), &run);
+    let bust_of = (&vertices[..], &bust.triangles[..]);
+    let walk = || walk::table(&head, bust_of, &run);
+    let strands = || walk::strands_and_threads(&head, bust_of, if quick { 2 } else { STRANDS_STEPS }, quick);
+    if arguments.iter().any(|argument| argument == "--strands-only") {
+        let table = strands()?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_strands.csv"), table))?);
+    }
     if arguments.iter().any(|argument| argument == "--walk-only") {
         let table = walk()?;
         return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_walk.csv"), table))?);
@@ -258,6 +268,7 @@ fn main() -> Outcome<()> {
             std::fs::write(folder.join("contact_rest.csv"), rest)?;
             std::fs::write(folder.join("contact_scaling.csv"), scaling::table(&head, quick)?)?;
             std::fs::write(folder.join("contact_walk.csv"), walk()?)?;
+            std::fs::write(folder.join("contact_strands.csv"), strands()?)?;
         }
     }
     Ok(())

@@ -22,6 +22,10 @@ const CALM: usize = 60;
 const LOOK: usize = 6;
 const DEEP: [f64; 2] = [5e-4, 2e-3];
 
+/// Numbers of guides, and the cases, of the table of strands and threads.
+const GROWING: [usize; 4] = [300, 1000, 3000, 10_000];
+const GROWN: [&str; 4] = ["free", "at points, 4 iterations", "penalty, 1 iteration", "hard"];
+
 /// A crowd of guides, and how it is stepped.
 struct Case {
     name: &'static str,
@@ -117,83 +121,135 @@ pub struct Run {
     pub only: Option<usize>,
 }
 
-/// The rows of `walk.csv`, which are also printed.
-pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run) -> Outcome<String> {
-    let (steps, threads) = (run.steps, run.threads);
+/// A case that was run.
+struct Walked {
+    /// Of all steps of the walk, ascending.
+    milliseconds: Vec<f64>,
+    /// For a mean step: search, steps of strands, contact problems.
+    phases: [f64; 3],
+    contacts: f64,
+    iterations: f64,
+    penetration: f64,
+    unconverged: u32,
+    rolled_back: u32,
+    /// The fractions of strands that are somewhere deeper than [`DEEP`], by an exact search that no model of contact takes part in.
+    deep: [f64; 2],
+}
+
+impl Walked {
+    fn at(&self, part: f64) -> f64 {
+        self.milliseconds[((self.milliseconds.len() - 1) as f64 * part) as usize]
+    }
+}
+
+fn walk(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), case: &Case, steps: usize, threads: usize) -> Outcome<Walked> {
     let motion = Motion::read("tests/data/grooms/walk_figure8_head.csv", None)?;
     let middle = bust.0.iter().sum::<Vector3<f64>>() / bust.0.len() as f64;
+    let defs = guides(case, bust)?;
+    let contact = case.contact.map_or(ContactOptions::default(), |(model, max_iterations)| ContactOptions {
+        model,
+        max_iterations,
+        ..ContactOptions::default()
+    });
+    let mut step = StepOptions { precision: case.precision, ..StepOptions::default() };
+    if case.contact.is_some_and(|(_, most)| most == 1) || case.precision == Precision::F32 {
+        (step.max_iterations, step.max_subdivisions) = (1, 0);
+    }
+    let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
+    let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, step, workers, ..SolverOptions::default() })?;
+    let ids = solver.add_strands(&defs)?;
+    let mut bodies = Vec::new();
+    if case.contact.is_some() {
+        bodies = solver.add_bodies(vec![BodyDef::new(head.clone())])?;
+        let strand = StrandContact { exempt_length: EXEMPT, ..StrandContact::default() };
+        solver.set_contact(&ids, Some(&strand))?;
+    }
+    let mut walked = Walked {
+        milliseconds: Vec::new(),
+        phases: [0.0; 3],
+        contacts: 0.0,
+        iterations: 0.0,
+        penetration: 0.0,
+        unconverged: 0,
+        rolled_back: 0,
+        deep: [0.0; 2],
+    };
+    let mut looks = 0.0;
+    for k in 0..CALM + steps {
+        let pose = carried(&motion, (k + 1).saturating_sub(CALM) as f64 * STEP, &middle);
+        let frames: Vec<Frame> = defs.iter().map(|def| pose.compose(&def.root)).collect();
+        solver.set_root_frames(&ids, &frames, STEP)?;
+        if !bodies.is_empty() {
+            solver.set_body_frames(&bodies, &[pose], STEP)?;
+        }
+        let report = solver.step(STEP, 1)?;
+        if k < CALM {
+            continue;
+        }
+        walked.milliseconds.push(1e3 * report.seconds);
+        let Phases { search, strands, contact, .. } = report.phases;
+        for (sum, seconds) in walked.phases.iter_mut().zip([search, strands, contact]) {
+            *sum += 1e3 * seconds / steps as f64;
+        }
+        walked.contacts += f64::from(report.contact.contacts) / steps as f64;
+        walked.iterations += report.mean_iterations / steps as f64;
+        walked.penetration = walked.penetration.max(report.contact.penetration);
+        walked.unconverged += report.unconverged;
+        walked.rolled_back += report.quarantined;
+        if !bodies.is_empty() && (k - CALM) % LOOK == LOOK - 1 {
+            looks += ids.len() as f64;
+            let overlaps = solver.overlaps(&ids)?;
+            for (count, limit) in walked.deep.iter_mut().zip(DEEP) {
+                *count += overlaps.iter().filter(|overlap| overlap.bodies > limit).count() as f64;
+            }
+        }
+    }
+    walked.deep = walked.deep.map(|count| count / f64::max(looks, 1.0));
+    walked.milliseconds.sort_by(f64::total_cmp);
+    Ok(walked)
+}
+
+/// The rows of `contact_walk.csv`, which are also printed.
+pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run) -> Outcome<String> {
     let mut csv = String::from(
         "case,guides,elements,precision,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,penetration_m,unconverged,rolled_back,deeper_than_half_mm,deeper_than_2_mm\n",
     );
     print!("{csv}");
     for (_, mut case) in CASES.into_iter().enumerate().filter(|(k, _)| run.only.is_none_or(|only| only == *k)) {
         case.guides = (case.guides as f64 * run.scale) as usize;
-        let defs = guides(&case, bust)?;
-        let contact = case.contact.map_or(ContactOptions::default(), |(model, max_iterations)| ContactOptions {
-            model,
-            max_iterations,
-            ..ContactOptions::default()
-        });
-        let mut step = StepOptions { precision: case.precision, ..StepOptions::default() };
-        if case.contact.is_some_and(|(_, most)| most == 1) || case.precision == Precision::F32 {
-            (step.max_iterations, step.max_subdivisions) = (1, 0);
-        }
-        let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
-        let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, step, workers, ..SolverOptions::default() })?;
-        let ids = solver.add_strands(&defs)?;
-        let mut bodies = Vec::new();
-        if case.contact.is_some() {
-            bodies = solver.add_bodies(vec![BodyDef::new(head.clone())])?;
-            let strand = StrandContact { exempt_length: EXEMPT, ..StrandContact::default() };
-            solver.set_contact(&ids, Some(&strand))?;
-        }
-        let (mut milliseconds, mut phases, mut contacts, mut iterations) = (Vec::new(), [0.0; 3], 0.0, 0.0);
-        let (mut penetration, mut unconverged, mut rolled_back) = (0.0_f64, 0, 0);
-        let (mut deep, mut looks) = ([0.0; 2], 0.0);
-        for k in 0..CALM + steps {
-            let walked = carried(&motion, (k + 1).saturating_sub(CALM) as f64 * STEP, &middle);
-            let frames: Vec<Frame> = defs.iter().map(|def| walked.compose(&def.root)).collect();
-            solver.set_root_frames(&ids, &frames, STEP)?;
-            if !bodies.is_empty() {
-                solver.set_body_frames(&bodies, &[walked], STEP)?;
-            }
-            let report = solver.step(STEP, 1)?;
-            if k < CALM {
-                continue;
-            }
-            milliseconds.push(1e3 * report.seconds);
-            let Phases { search, strands, contact, .. } = report.phases;
-            for (sum, seconds) in phases.iter_mut().zip([search, strands, contact]) {
-                *sum += 1e3 * seconds / steps as f64;
-            }
-            contacts += f64::from(report.contact.contacts) / steps as f64;
-            iterations += report.mean_iterations / steps as f64;
-            penetration = penetration.max(report.contact.penetration);
-            unconverged += report.unconverged;
-            rolled_back += report.quarantined;
-            if !bodies.is_empty() && (k - CALM) % LOOK == LOOK - 1 {
-                looks += ids.len() as f64;
-                // By an exact search that no model of contact takes part in.
-                let overlaps = solver.overlaps(&ids)?;
-                for (count, limit) in deep.iter_mut().zip(DEEP) {
-                    *count += overlaps.iter().filter(|overlap| overlap.bodies > limit).count() as f64;
-                }
-            }
-        }
-        milliseconds.sort_by(f64::total_cmp);
-        let at = |part: f64| milliseconds[((milliseconds.len() - 1) as f64 * part) as usize];
-        let [search, strands, contact] = phases;
+        let walked = walk(head, bust, &case, run.steps, run.threads)?;
         let Case { name, guides, elements, precision, .. } = case;
+        let ([search, strands, contact], [half, two]) = (walked.phases, walked.deep);
+        let Walked { contacts, iterations, penetration, unconverged, rolled_back, .. } = walked;
         let row = format!(
-            "\"{name}\",{guides},{elements},{precision:?},{:.1},{:.1},{:.1},{search:.1},{strands:.1},{contact:.1},{contacts:.0},{iterations:.2},{penetration:.1e},{unconverged},{rolled_back},{:.4},{:.4}",
-            at(0.5),
-            at(0.9),
-            at(1.0),
-            deep[0] / f64::max(looks, 1.0),
-            deep[1] / f64::max(looks, 1.0),
+            "\"{name}\",{guides},{elements},{precision:?},{:.1},{:.1},{:.1},{search:.1},{strands:.1},{contact:.1},{contacts:.0},{iterations:.2},{penetration:.1e},{unconverged},{rolled_back},{half:.4},{two:.4}",
+            walked.at(0.5),
+            walked.at(0.9),
+            walked.at(1.0),
         );
         println!("{row}");
         writeln!(csv, "{row}")?;
+    }
+    Ok(csv)
+}
+
+/// The cost of the walk as strands grow in number, with one thread and with two: `contact_strands.csv`, which is also printed.
+pub fn strands_and_threads(
+    head: &Arc<Shape>,
+    bust: (&[Vector3<f64>], &[[u32; 3]]),
+    steps: usize,
+    quick: bool,
+) -> Outcome<String> {
+    let mut csv = String::from("case,guides,one_thread_ms,two_threads_ms\n");
+    print!("{csv}");
+    for guides in if quick { &GROWING[..1] } else { &GROWING[..] } {
+        for case in CASES.into_iter().filter(|case| GROWN.contains(&case.name) && case.precision == Precision::F64) {
+            let case = Case { guides: *guides, ..case };
+            let median = |threads| -> Outcome<f64> { Ok(walk(head, bust, &case, steps, threads)?.at(0.5)) };
+            let row = format!("\"{}\",{guides},{:.2},{:.2}", case.name, median(1)?, median(2)?);
+            println!("{row}");
+            writeln!(csv, "{row}")?;
+        }
     }
     Ok(csv)
 }
