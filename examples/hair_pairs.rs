@@ -6,10 +6,10 @@ use std::time::Instant;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::broad_phase::pieces::Wisp;
 use superhelix::internals::contact::contact_point::{StrandCurve, StrandPath};
-use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
-use superhelix::internals::contact::pieces::Wisp;
-use superhelix::internals::contact::strand_contacts::PairScratch;
+use superhelix::internals::contact::narrow_phase::strand_contacts::PairScratch;
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::Mat3;
 use superhelix::internals::rod::kinematics::Kinematics;

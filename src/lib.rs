@@ -86,6 +86,7 @@
 // - `capi/`: The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 // - `chain/`: The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
 // - `contact/`: Contact and bilateral constraints: bodies and hair against hair.
+// - `coupled/`: The step of coupled strands: strands that contacts and bilateral constraints act on, in islands of those that constraints couple.
 // - `energy/`: The terms of the incremental potential, one file per term.
 // - `facade/`: What Rust programs see: the public names, gathered from the modules that define them.
 // - `files/`: Files: grooms, motions and caches, read and written.
@@ -101,6 +102,7 @@ mod analysis;
 mod capi;
 mod chain;
 mod contact;
+mod coupled;
 mod energy;
 mod error;
 mod facade;
@@ -131,7 +133,7 @@ pub mod internals {
         };
     }
 
-    expose! { analysis capi chain contact energy error files groom haptics math meter rod solver step styling workers }
+    expose! { analysis capi chain contact coupled energy error files groom haptics math meter rod solver step styling workers }
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use rustix::time::{ClockId, clock_gettime};
+use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::broad_phase::pieces::Wisp;
 use superhelix::internals::contact::contact_point::{StrandCurve, StrandPath};
-use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
-use superhelix::internals::contact::pieces::Wisp;
-use superhelix::internals::contact::strand_contacts::PairScratch;
+use superhelix::internals::contact::narrow_phase::strand_contacts::PairScratch;
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::Mat3;
 use superhelix::internals::rod::kinematics::Kinematics;

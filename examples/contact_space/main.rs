@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use problem::{Kind, build};
-use superhelix::internals::contact::gauss_seidel::{GaussSeidel, Settings};
+use superhelix::internals::contact::solver::gauss_seidel::{GaussSeidel, Settings};
 
 fn main() {
     let base = Kind { strands: 1000, elements: 10, on_head: 5, pairs: 2.5, mu: 0.3, curl: 5.0 };

@@ -1,6 +1,6 @@
 //! Options of contact: the model, its tolerances, and the contact properties of strands.
 
-use super::pieces::Wisp;
+use crate::contact::broad_phase::pieces::Wisp;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 
 /// The unit of [`ContactOptions::residual`] for velocities, m/s.

@@ -2,7 +2,7 @@
 //!
 //! [`Solver::sample_at`](crate::Solver::sample_at) is the simple way to points of one strand.
 
-pub use crate::contact::law::coefficient::Coefficient as FrictionCoefficient;
+pub use crate::contact::constraint::law::coefficient::Coefficient as FrictionCoefficient;
 pub use crate::rod::uniform_points::{Lanes, Real, WIDTH};
 pub use crate::solver::contact_compliance::{BodyContact, ContactCompliance};
 pub use crate::solver::contact_events::{Change, ContactEvent, MAX_EVENTS};

@@ -37,7 +37,7 @@ pub(crate) use element::check_applied;
 pub(crate) use trim::{check_cut, cut_lengths};
 
 use crate::contact::body::BodyAt;
-use crate::contact::strand_body::Span;
+use crate::contact::narrow_phase::strand_body::Span;
 use crate::error::{Error, Result, check_finite, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;

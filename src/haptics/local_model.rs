@@ -8,7 +8,7 @@ use super::coupling::AddedMass;
 use super::exchange::{Reader, Writer};
 use super::explicit_law::Resistance;
 use super::options::{ForceLaw, HapticOptions, Mode};
-use crate::contact::law::coefficient::Coefficient;
+use crate::contact::constraint::law::coefficient::Coefficient;
 use crate::math::frame::Frame;
 use crate::solver::contact_compliance::{BodyContact, ContactCompliance, of_strands};
 use crate::solver::report::Wrench;

@@ -5,20 +5,12 @@
 //! Files:
 //!
 //! - `account.rs`: The results of a constrained substep: the outcomes of strands, the list of contacts, the loads of bodies and bilateral constraints.
-//! - `contact_limit.rs`: The largest number of contacts of a strand.
-//! - `formula.rs`: The integration formula of constrained strands.
-//! - `iterations.rs`: Newton iterations of all islands.
-//! - `packs.rs`: Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
-//! - `solitary.rs`: Newton iterations of strands that share no constraint with others: what touches them is bodies, or holds them in place.
+//! - `packs.rs`: Constrained strands side by side with the scene's strands: how their step begins and ends, pack by pack (`coupled/packs.rs`).
 //! - `substeps.rs`: Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they are small.
 //! - `tests.rs`: Substeps in which the limit of searches is reached before all contacts are found.
 
 mod account;
-mod contact_limit;
-mod formula;
-mod iterations;
 mod packs;
-mod solitary;
 mod substeps;
 #[cfg(test)]
 mod tests;
@@ -28,68 +20,42 @@ pub use account::ContactTally;
 
 use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
-use super::contact_detection::{self, ContactDetection, ContactMemory};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Phases;
 use super::strand::{Constrained, Strand};
+use super::ties::ties;
 use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
-use crate::contact::constrained_strand::{Attachment, ConstrainedStrand, Formula, Meets, StrandEnd};
-use crate::contact::ending::Outcome;
-use crate::contact::island::Island;
 use crate::contact::options::{ContactModel, ContactOptions};
-use crate::contact::step_constraint::StepConstraint;
-use crate::math::disjoint_sets::DisjointSets;
+use crate::coupled::constrained_strand::{ConstrainedStrand, Formula, Meets, StrandEnd};
+use crate::coupled::coupled_step::{CoupledParts, CoupledStep, Stepping};
+use crate::coupled::detection::ContactMemory;
+use crate::coupled::ending::Outcome;
+use crate::coupled::iterations::IterationTally;
+use crate::coupled::packs::Work;
 use crate::math::lanes::InstructionSet;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::constrained_packs::AnyPack;
 use crate::step::{Setting, StrandOutcome};
-use packs::{Packs, Pair, Work};
-use solitary::Member;
-
-/// The largest number of searches for undetected contacts.
-const MAX_SEARCHES: u32 = 16;
-/// The first searches follow after this many Newton iterations: most new contacts are visible by then, and need not wait until
-/// the others are exact. (Sooner, contacts of a mere first guess would be kept, and the energy of long runs grows.)
-const EARLY: u32 = 2;
-const EARLY_ITERATIONS: u32 = 2;
+use packs::{Pair, PairWork};
 
 /// A strand whose iteration was cut short moves with its root if it is further from convergence than this, rad: halfway,
 /// strands of a tangle would be flung about.
 const NEAR_END: f64 = 0.03;
 
-/// Cost of a constraint found by a search, nanoseconds or so.
-const WORK_A_CONSTRAINT: u64 = 3000;
-
 /// The solver's memory of constrained strands between substeps.
 #[derive(Debug, Default)]
 pub(super) struct ConstrainedSubstep {
-    /// The constrained strands of the last substep; more may be kept for their memory.
-    strands: Vec<ConstrainedStrand>,
-    count: usize,
-    packs: Packs,
-    islands: Vec<Island>,
-    island_count: usize,
-    /// Memory for lists of islands, and of packs.
-    at_work: Vec<&'static mut Island>,
-    solitary_work: Vec<Work<'static, Member<'static>>>,
-    /// Islands with strands that may have to begin again by the other formula, and those strands.
-    asked: Vec<bool>,
-    pressed: Vec<u32>,
-    constraints: Vec<StepConstraint>,
-    sets: DisjointSets,
-    detection: ContactDetection,
+    /// The constrained strands of the last substep, and their islands.
+    coupled: CoupledStep,
+    /// Memory for lists of packs with the scene's strands.
+    pairs: PairWork,
     contacts: Vec<Contact>,
     /// The last substep's time beside its iterations, s.
     overhead: Overhead,
-    /// Time of contact problems since it was last read, s.
-    contact_seconds: f64,
     /// Takes the substeps of a substep, see `substeps.rs`.
     shorter: Option<Box<ConstrainedSubstep>>,
-    /// The largest number of searches for undetected contacts, if not [`MAX_SEARCHES`].
-    #[cfg(test)]
-    max_searches: Option<u32>,
 }
 
 /// A substep's time beside its iterations, s.
@@ -123,6 +89,14 @@ pub(super) struct Scene<'a> {
     pub is_fast: bool,
     /// Whether it is a substep within a substep: strands outside it are already at the end of the whole.
     pub is_nested: bool,
+}
+
+impl<'a> Scene<'a> {
+    /// What the iterations of a substep of `h` seconds need of it.
+    fn stepping(&self, h: f64) -> Stepping<'a, WorkerScratch> {
+        let Self { setting, options, bodies, workers, meter, .. } = *self;
+        Stepping { setting, options, bodies, workers, meter, h }
+    }
 }
 
 impl Strand {
@@ -163,7 +137,7 @@ impl ConstrainedSubstep {
 
     /// The time of searches and contact problems since it was last read, s.
     pub fn take_phases(&mut self) -> Phases {
-        let (search, contact) = (self.detection.take_seconds(), std::mem::take(&mut self.contact_seconds));
+        let [search, contact] = self.coupled.take_seconds();
         let mut phases = Phases { search, contact, ..Phases::default() };
         if let Some(shorter) = &mut self.shorter {
             phases.add(&shorter.take_phases());
@@ -173,7 +147,7 @@ impl ConstrainedSubstep {
 
     /// Forgets the last substep's contacts: the indices of strands or bodies have changed.
     pub fn forget(&mut self) {
-        self.detection.forget();
+        self.coupled.detection().forget();
         self.contacts.clear();
     }
 
@@ -184,18 +158,18 @@ impl ConstrainedSubstep {
 
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
-        self.detection.forget_pairs();
+        self.coupled.detection().forget_pairs();
     }
 
     /// The contacts kept from the last substep.
     pub fn memory(&self) -> ContactMemory {
-        self.detection.memory()
+        self.coupled.memory()
     }
 
     /// A solver's memory restored, see [`ContactDetection::take_up`].
     pub fn taken_up<'a>(memory: ContactMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
         let mut new = Self::default();
-        new.detection.take_up(memory, elements, bodies).then_some(new)
+        new.coupled.detection().take_up(memory, elements, bodies).then_some(new)
     }
 
     /// Marks the strands that are constrained in this substep of `h` seconds. True if some may be constrained only by a body
@@ -221,31 +195,26 @@ impl ConstrainedSubstep {
     /// `levels` times.
     pub fn take(&mut self, scene: &mut Scene, h: f64, levels: u32, mut account: Account) {
         let begins = scene.meter.has_deadline().then(Instant::now);
-        self.count = scene.strands.iter().filter(|strand| strand.is_constrained()).count();
-        self.strands.resize_with(self.strands.len().max(self.count), ConstrainedStrand::default);
+        self.coupled.begin(scene.strands.iter().filter(|strand| strand.is_constrained()).count());
         for constraint in scene.constraints.iter_mut() {
             constraint.motion.begin(h);
         }
         self.begin(scene, h);
-        self.constraints.clear();
-        self.detection.begin_step();
-        self.detection.find(scene, &mut self.strands[..self.count], true);
-        if !scene.meter.is_halted() {
-            self.detection.constraints(scene, &self.strands[..self.count], &mut self.constraints);
-        }
-        contact_limit::thin_out(&mut self.constraints, &mut self.strands[..self.count], scene.meter.left());
+        let stepping = scene.stepping(h);
+        self.coupled.detect(&stepping, ties(scene.constraints, |id| scene.slots.index(id)));
         self.add_bilateral(scene, h);
-        scene.meter.spend(self.constraints.len() as u64 * WORK_A_CONSTRAINT);
-        let searches = if scene.options.model.is_soft() || !self.detection.is_possible(scene) { 0 } else { self.max_searches() };
-        self.tie(searches > 0);
-        self.predict_pressed(scene, h);
+        self.coupled.couple(&stepping);
+        let Self { coupled, pairs, .. } = self;
+        coupled.predict_pressed(&stepping, &mut packs::begin_again(scene, pairs, h));
         let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
-        self.solve(scene, h, account.contact, searches);
+        let (Self { coupled, pairs, .. }, mut tally) = (&mut *self, IterationTally::default());
+        coupled.solve(&stepping, &mut packs::begin_again(scene, pairs, h), &mut tally);
+        account.contact.count(&tally);
         if !scene.options.model.is_soft() {
-            let strands = &mut self.strands[..self.count];
-            self.islands[..self.island_count].iter_mut().for_each(|island| island.reject_risen(strands, h));
+            let CoupledParts { strands, islands, .. } = self.coupled.parts();
+            islands.iter_mut().for_each(|island| island.reject_risen(strands, h));
         }
-        scene.meter.uncounted(|| self.look_at_failures(scene));
+        scene.meter.uncounted(|| self.coupled.look_at_failures(&stepping, scene.is_last));
         let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
         let taking = if goes_on { self.choose_subdivided(scene) } else { Vec::new() };
@@ -261,130 +230,13 @@ impl ConstrainedSubstep {
         }
     }
 
-    fn max_searches(&self) -> u32 {
-        #[cfg(test)]
-        if let Some(most) = self.max_searches {
-            return most;
-        }
-        MAX_SEARCHES
-    }
-
-    /// Newton's iterations of all islands, with at most `searches` searches for undetected contacts.
-    fn solve(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, searches: u32) {
-        // The solve is rough until a search finds nothing new: a contact detected later would undo an exact solution.
-        let mut rough = searches > 0;
-        for search in 0..searches {
-            self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
-            let stopped = scene.meter.stopped();
-            if stopped != Stopped::No {
-                return self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(stopped));
-            }
-            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-            self.detection.find(scene, strands, false);
-            if scene.meter.is_halted() {
-                return self.interrupt(scene);
-            }
-            let more = self.detection.add_undetected(scene, strands, islands, &mut self.constraints, h);
-            if !more && scene.meter.is_halted() {
-                return self.interrupt(scene);
-            }
-            if more {
-                contact.searches += 1;
-                contact_limit::thin_out(&mut self.constraints, &mut self.strands[..self.count], scene.meter.left());
-                self.tie(rough);
-            } else if islands.iter().all(|island| island.done && !island.is_to_be_tried_again()) {
-                if !(rough && self.refine()) {
-                    return;
-                }
-                rough = false;
-            }
-        }
-        self.iterate(scene, h, contact, u32::MAX);
-        if rough && self.refine() {
-            self.iterate(scene, h, contact, u32::MAX);
-        }
-        if searches > 0 && !scene.meter.is_halted() {
-            // No more contacts are added, and what there is is reported.
-            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-            self.detection.find(scene, strands, false);
-            if scene.meter.is_halted() {
-                return self.interrupt(scene);
-            }
-            if !self.detection.report_undetected(scene, strands, islands, h) {
-                self.interrupt(scene);
-            }
-        }
-    }
-
-    /// The last search was halted: strands that it has not reached may have undetected contacts.
-    fn interrupt(&mut self, scene: &Scene) {
-        let (why, unseen) = (scene.meter.stopped(), contact_detection::unseen(scene.options));
-        self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(why));
-        for constrained in self.strands[..self.count].iter_mut().filter(|constrained| constrained.has_gone(unseen)) {
-            constrained.has_undetected = true;
-            self.islands[constrained.island as usize].interrupt(why);
-        }
-    }
-
-    /// Measures the depth of islands that have not converged or are held apart by springs, and of overlap that no constraint
-    /// represents. Their constraints only tell the depth where the contacts were found.
-    fn look_at_failures(&mut self, scene: &Scene) {
-        let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-        if scene.meter.is_halted() {
-            return;
-        }
-        let is_looked_at = |constrained: &ConstrainedStrand| {
-            constrained.left_deep || constrained.lags() || islands[constrained.island as usize].failed()
-        };
-        // Penalty models search only at the start.
-        let all = scene.options.model.is_soft();
-        if !self.detection.is_possible(scene) || (all && !scene.is_last) || !(all || strands.iter().any(is_looked_at)) {
-            return;
-        }
-        for constrained in strands.iter_mut() {
-            constrained.step.gone = if all || is_looked_at(constrained) { f64::INFINITY } else { 0.0 };
-        }
-        self.detection.find(scene, strands, false);
-        self.detection.report_depths(scene, strands, islands, true);
-        if scene.meter.is_halted() || !strands.iter().any(ConstrainedStrand::lags) {
-            return;
-        }
-        // Bodies that still follow a strand are there all the same.
-        for constrained in strands.iter_mut() {
-            constrained.look_around(scene.bodies);
-            constrained.step.gone = if constrained.lags() { f64::INFINITY } else { 0.0 };
-        }
-        self.detection.find(scene, strands, false);
-        self.detection.report_depths(scene, strands, islands, false);
-    }
-
-    /// The marked strands, each with its entry in `strands`.
-    fn pairs<'a>(
-        strands: &'a mut [Strand],
-        constrained: &'a mut [ConstrainedStrand],
-    ) -> impl Iterator<Item = (&'a mut Strand, &'a mut ConstrainedStrand)> {
-        strands.iter_mut().filter(|strand| strand.is_constrained()).zip(constrained)
-    }
-
-    /// Begins the step of the strands marked for it again, by implicit Euler.
-    fn restart(scene: &mut Scene, packs: &mut Packs, constrained: &mut [ConstrainedStrand], h: f64) {
-        let is_marked = |constrained: &ConstrainedStrand| constrained.formula == Formula::ToBeginAgain;
-        if !constrained.iter().any(is_marked) || scene.meter.is_halted() {
-            return;
-        }
-        packs.begin(scene, constrained, h, is_marked);
-        for constrained in constrained.iter_mut().filter(|constrained| is_marked(constrained)) {
-            (constrained.formula, constrained.resting, constrained.looked_ahead) = (Formula::ImplicitEuler, false, false);
-        }
-    }
-
     /// Makes the ends of the iteration the strands' states.
     fn finish(&mut self, scene: &mut Scene, h: f64) {
-        if self.count == 0 {
+        let CoupledParts { packs, strands, islands, .. } = self.coupled.parts();
+        if strands.is_empty() {
             return;
         }
-        let islands = &self.islands[..self.island_count];
-        let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        let (pairs, islands) = (packs::pairs(scene.strands, strands), &*islands);
         let (setting, bodies) = (scene.setting, scene.bodies);
         let (stopped, fast) = (scene.meter.stopped(), scene.is_fast && !scene.options.model.is_soft());
         let finish_one =
@@ -437,21 +289,23 @@ impl ConstrainedSubstep {
                 strand.touched = constrained.attachments.iter().any(|end| island.constraints[end.constraint as usize].presses());
             };
         let finish = |work: &mut Work<Pair>, scratch: &mut WorkerScratch| {
-            work.finish(setting, h, |constrained| {
+            packs::finish(work, setting, h, |constrained| {
                 stopped == Stopped::No || stopped != Stopped::Cancelled && constrained.end != StrandEnd::AsBegun
             });
             for (strand, constrained) in work.members.iter_mut().flatten() {
                 finish_one(work.pack, strand, constrained, scratch);
             }
         };
-        self.packs.with_pairs(pairs, |work| scene.workers.for_each(work, finish));
+        packs::with_pairs(packs, &mut self.pairs, pairs, |work| scene.workers.for_each(work, finish));
     }
 
     fn begin(&mut self, scene: &mut Scene, h: f64) {
         let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.is_constrained());
-        for ((k, strand), constrained) in strands.zip(&mut self.strands) {
+        let CoupledParts { packs, strands: constrained_strands, .. } = self.coupled.parts();
+        for ((k, strand), constrained) in strands.zip(constrained_strands.iter_mut()) {
             constrained.index = k as u32;
             (constrained.mass, constrained.bending) = (strand.model.mass(), strand.model.bending_force());
+            constrained.permitted_overlap.clone_from(&strand.permitted_overlap);
             constrained.contact = strand.contact.as_deref().copied().unwrap_or_default();
             strand.body_motions(h, scene.bodies, &mut constrained.body_motions);
             constrained.final_poses.clear();
@@ -470,15 +324,13 @@ impl ConstrainedSubstep {
             (constrained.root_gap, constrained.looked_ahead, constrained.end) = (f64::INFINITY, false, StrandEnd::AsBegun);
             constrained.found.clear();
         }
-        self.packs.clear();
-        let constrained = &mut self.strands[..self.count];
-        self.packs.begin(scene, constrained, h, |_| true);
-        scene.meter.spend(constrained.iter().map(ConstrainedStrand::half_work).sum());
+        packs::begin(packs, &mut self.pairs, scene, constrained_strands, h, |_| true);
+        scene.meter.spend(constrained_strands.iter().map(ConstrainedStrand::half_work).sum());
     }
 
     /// Adds the constraints of the scene's bilateral constraints.
     fn add_bilateral(&mut self, scene: &Scene, h: f64) {
-        let (constrained, constraints) = (&self.strands[..self.count], &mut self.constraints);
+        let CoupledParts { strands: constrained, constraints, .. } = self.coupled.parts();
         for (k, constraint) in scene.constraints.iter().enumerate() {
             let find = |id| {
                 let index = scene.slots.index(id)?;
@@ -495,80 +347,6 @@ impl ConstrainedSubstep {
                 continue;
             }
             constraint.step_constraints(k as u32, h, first, second, |constraint| constraints.push(constraint));
-        }
-    }
-
-    /// Goes on with islands that were solved roughly. True if there is more to do.
-    fn refine(&mut self) -> bool {
-        let mut goes_on = false;
-        for island in &mut self.islands[..self.island_count] {
-            if island.refine() {
-                goes_on = true;
-                for constrained in &island.strands {
-                    let constrained = &mut self.strands[*constrained as usize];
-                    (constrained.ended, constrained.resting, constrained.woken) = (None, false, 0);
-                }
-            }
-        }
-        goes_on
-    }
-
-    /// Couples the constraints' strands into islands, to be solved `rough`ly first where that is of use.
-    fn tie(&mut self, rough: bool) {
-        self.sets.reset(self.count);
-        for constraint in &self.constraints {
-            if let Some(second) = constraint.second {
-                self.sets.join(constraint.first.strand, second.strand);
-            }
-        }
-        for constrained in &mut self.strands[..self.count] {
-            constrained.attachments.clear();
-            constrained.woken = 0;
-        }
-        self.island_count = 0;
-        for k in 0..self.count {
-            let lowest = self.sets.lowest(k as u32) as usize;
-            let island = if lowest == k {
-                self.island_count += 1;
-                self.islands.resize_with(self.islands.len().max(self.island_count), Island::default);
-                self.islands[self.island_count - 1].clear();
-                self.island_count - 1
-            } else {
-                self.strands[lowest].island as usize
-            };
-            self.strands[k].island = island as u32;
-            self.islands[island].strands.push(k as u32);
-        }
-        for island in &mut self.islands[..self.island_count] {
-            // Strands on which nothing new acts are coupled as before.
-            let ended = |constrained: &u32| self.strands[*constrained as usize].ended;
-            if island.strands.iter().all(|constrained| ended(constrained).is_some())
-                && let Some(ending) = island.strands.first().and_then(ended)
-            {
-                island.keep(ending);
-            }
-            if let [alone] = island.strands[..]
-                && let Some(progress) = self.strands[alone as usize].progress.take()
-            {
-                island.resume(progress);
-            }
-        }
-        for constraint in self.constraints.drain(..) {
-            let island = &mut self.islands[self.strands[constraint.first.strand as usize].island as usize];
-            let number = island.constraints.len() as u32;
-            island.constraints.push(constraint);
-            for (k, end) in constraint.ends().enumerate() {
-                let attachment = Attachment {
-                    constraint: number,
-                    second: k == 1,
-                    material_point: end.material_point,
-                    modelled: constraint.modelled[k],
-                };
-                self.strands[end.strand as usize].attachments.push(attachment);
-            }
-        }
-        if rough {
-            self.islands[..self.island_count].iter_mut().for_each(Island::begin_roughly);
         }
     }
 }

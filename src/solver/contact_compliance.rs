@@ -23,7 +23,7 @@ use super::bodies::{Contact, ContactPartner};
 use super::constraints::Constraint;
 use super::id::BodyId;
 use crate::contact::body::BodyAt;
-use crate::contact::law::coefficient::Coefficient;
+use crate::contact::constraint::law::coefficient::Coefficient;
 use crate::contact::shape::Bounds;
 use crate::error::{Result, check_not_negative, check_positive};
 use crate::step::{Setting, Surroundings};
@@ -102,7 +102,7 @@ pub struct ContactCompliance {
     /// The number of contacts of each strand.
     pub counts: Vec<u32>,
     /// Per strand a symmetric matrix of (3 contacts)² numbers, m/N: displacements of its points within the time by a force at one
-    /// of them, in the layout of [`crate::contact::contact_space::ContactSpace::add_strand`].
+    /// of them, in the layout of [`crate::contact::solver::contact_space::ContactSpace::add_strand`].
     pub response: Vec<f64>,
     /// The first `near_count` are in use; the rest is spare memory.
     near: Vec<NearStrand>,

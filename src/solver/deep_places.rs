@@ -1,16 +1,17 @@
 //! Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 
 use super::constraints::Constraint;
-use super::contact_detection::{NEAR, pair_options, tied};
 use super::id::{SlotMap, StrandId};
 use super::strand::Strand;
+use super::ties::ties;
 use super::workers::WorkerSet;
 use crate::contact::body::BodyAt;
+use crate::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
-use crate::contact::hair_pairs::{HairPairs, PairOptions};
+use crate::contact::narrow_phase::strand_body::{self, PathBounds, Span};
+use crate::contact::narrow_phase::strand_contacts::PairScratch;
 use crate::contact::options::StrandContact;
-use crate::contact::strand_body::{self, PathBounds, Span};
-use crate::contact::strand_contacts::PairScratch;
+use crate::coupled::detection::{NEAR, pair_options};
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
@@ -153,8 +154,8 @@ impl CurrentScene<'_> {
         }
         // As in a step: contacts that it merges are merged here too.
         let options = PairOptions { margin: 0.0, ..pair_options(&wisps) };
-        let (mut pairs, mut ties) = (HairPairs::default(), Vec::new());
-        tied(self.constraints, |id| of.binary_search(&self.slots.index(id)?).ok(), &mut ties);
+        let mut pairs = HairPairs::default();
+        let ties: Vec<_> = ties(self.constraints, |id| of.binary_search(&self.slots.index(id)?).ok()).collect();
         // Everything that could be refused was checked when the solver received it.
         if pairs.set(&wisps, &options).and_then(|()| pairs.set_ties(&ties)).and_then(|()| pairs.update(&paths)).is_err() {
             return;

@@ -1,6 +1,8 @@
 //! Overlaps of strands in the current scene, and permitted overlaps: a groom drawn with wisps in wisps and hair in a head then
 //! bears no force in its drawn shape.
 
+use std::sync::Arc;
+
 use super::Solver;
 use super::deep_places::CurrentScene;
 use super::id::{BodyId, StrandId};
@@ -125,7 +127,7 @@ impl Solver {
         }
         for (index, permitted_overlap) in made.into_iter().enumerate() {
             if let Some(permitted_overlap) = permitted_overlap {
-                self.strands[index].permitted_overlap = Some(Box::new(permitted_overlap));
+                self.strands[index].permitted_overlap = Some(Arc::new(permitted_overlap));
             }
         }
         Ok(overlaps)
@@ -150,7 +152,7 @@ impl Solver {
                 .map_or(Ok(()), |permitted_overlap| permitted_overlap.check(&format!("permitted_overlaps[{k}]")))?;
         }
         for (index, permitted_overlap) in self.indices(ids)?.into_iter().zip(permitted_overlaps) {
-            self.strands[index].permitted_overlap = permitted_overlap.clone().map(Box::new);
+            self.strands[index].permitted_overlap = permitted_overlap.clone().map(Arc::new);
         }
         Ok(())
     }

@@ -51,7 +51,7 @@ pub(super) struct Strand {
     /// Its contact parameters; `None` for no contact.
     pub contact: Option<Box<StrandContact>>,
     /// Its permitted overlap; `None` for none.
-    pub permitted_overlap: Option<Box<PermittedOverlap>>,
+    pub permitted_overlap: Option<Arc<PermittedOverlap>>,
     /// Its record where it has diverged.
     pub divergence: Option<Box<Divergence>>,
     /// Set for a frozen strand.

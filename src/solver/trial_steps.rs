@@ -6,7 +6,7 @@
 
 use super::strand::{Constrained, Strand};
 use crate::contact::body::BodyAt;
-use crate::contact::path_clearance::{self, ClearanceScratch, FreePath};
+use crate::contact::ccd::path_clearance::{self, ClearanceScratch, FreePath};
 use crate::math::frame::Frame;
 use crate::meter::Meter;
 use crate::step::StrandOutcome;

@@ -2,7 +2,7 @@
 
 use super::at_points::Touched;
 use super::trial_steps::TrialScratch;
-use crate::contact::island_problem::ProblemScratch;
+use crate::coupled::island_problem::ProblemScratch;
 use crate::step;
 
 /// The scratch memory of one worker.
@@ -16,6 +16,12 @@ pub(super) struct WorkerScratch {
     pub trial: TrialScratch,
     /// Contacts of a task's strands at their points.
     pub touched: Touched,
+}
+
+impl AsMut<ProblemScratch> for WorkerScratch {
+    fn as_mut(&mut self) -> &mut ProblemScratch {
+        &mut self.problem
+    }
 }
 
 /// Workers with the scratch memory of a step.

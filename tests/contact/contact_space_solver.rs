@@ -3,14 +3,14 @@
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceConstraint};
-use superhelix::internals::contact::gauss_seidel::{GaussSeidel, Report, Settings};
-use superhelix::internals::contact::law::Law;
-use superhelix::internals::contact::law::bilateral::{BilateralLaw, ConstrainedAxes};
-use superhelix::internals::contact::law::coefficient::Coefficient;
-use superhelix::internals::contact::law::contact::{Contact, Friction};
-use superhelix::internals::contact::law::response::Response;
-use superhelix::internals::contact::law::ring::Ring;
+use superhelix::internals::contact::constraint::law::Law;
+use superhelix::internals::contact::constraint::law::bilateral::{BilateralLaw, ConstrainedAxes};
+use superhelix::internals::contact::constraint::law::coefficient::Coefficient;
+use superhelix::internals::contact::constraint::law::contact::{Contact, Friction};
+use superhelix::internals::contact::constraint::law::response::Response;
+use superhelix::internals::contact::constraint::law::ring::Ring;
+use superhelix::internals::contact::solver::contact_space::{ContactSpace, End, SpaceConstraint};
+use superhelix::internals::contact::solver::gauss_seidel::{GaussSeidel, Report, Settings};
 
 const STEP: f64 = 1.0 / 60.0;
 

@@ -5,10 +5,10 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use nalgebra::{Rotation3, Vector3};
+use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::broad_phase::pieces::Wisp;
 use superhelix::internals::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
-use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
-use superhelix::internals::contact::pieces::Wisp;
-use superhelix::internals::contact::strand_contacts::PairScratch;
+use superhelix::internals::contact::narrow_phase::strand_contacts::PairScratch;
 use superhelix::internals::math::quadrature::Rule;
 use superhelix::internals::math::vector::Mat3;
 use superhelix::internals::rod::kinematics::Kinematics;

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use superhelix::internals::contact::body::BodyAt;
 use superhelix::internals::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
-use superhelix::internals::contact::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
+use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
 use superhelix::internals::math::vector::{Mat3, Vec3};
 use superhelix::internals::rod::kinematics::{ElementState, element_state};
 use superhelix::{Frame, Shape};

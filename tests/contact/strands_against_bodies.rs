@@ -3,7 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::internals::contact::body::BodyAt;
 use superhelix::internals::contact::contact_point::{ContactPoint, Partner};
-use superhelix::internals::contact::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
+use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{Frame, Shape};
 

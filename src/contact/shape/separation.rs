@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{Kind, Shape};
-use crate::contact::segment_distance::closest_of_segments;
+use crate::contact::narrow_phase::segment_distance::closest_of_segments;
 
 /// A plane between a shape and a segment, across the shortest distance from one to the other.
 #[derive(Debug, Clone, Copy)]

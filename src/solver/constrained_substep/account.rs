@@ -5,8 +5,10 @@ use nalgebra::Vector3;
 
 use super::{ConstrainedSubstep, Scene};
 use crate::chain::load::MaterialPoint;
-use crate::contact::nearest_pair::depth;
-use crate::contact::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
+use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
+use crate::coupled::constrained_strand::ConstrainedStrand;
+use crate::coupled::iterations::IterationTally;
+use crate::coupled::nearest_pair::depth;
 use crate::solver::bodies::{Contact, ContactPartner};
 use crate::solver::report::Wrench;
 use crate::solver::strand::Tally;
@@ -40,6 +42,15 @@ pub struct ContactTally {
     pub roots_inside: u32,
 }
 
+impl ContactTally {
+    /// Adds what iterations have come to.
+    pub(super) fn count(&mut self, tally: &IterationTally) {
+        self.iterations = self.iterations.max(tally.iterations);
+        self.sweeps += tally.sweeps;
+        self.searches += tally.searches;
+    }
+}
+
 /// Where all laws hold, forces may be this many times the force that moves a strand by its own length in a substep and bends
 /// its elements by a radian.
 const SOLVED: f64 = 2.0;
@@ -53,21 +64,20 @@ pub(in crate::solver) struct Account<'a> {
     pub wrenches: &'a mut [Wrench],
 }
 
-impl ConstrainedSubstep {
-    /// The largest force that the strands of a contact can exert, N.
-    fn max_force(&self, constraint: &StepConstraint, h: f64) -> f64 {
-        let of =
-            |end: ConstraintEnd| self.strands[end.strand as usize].usual_force(h) + self.strands[end.strand as usize].bending;
-        constraint.ends().map(of).fold(f64::INFINITY, f64::min)
-    }
+/// The largest force that the strands of a contact can exert, N.
+fn max_force(strands: &[ConstrainedStrand], constraint: &StepConstraint, h: f64) -> f64 {
+    let of = |end: ConstraintEnd| strands[end.strand as usize].usual_force(h) + strands[end.strand as usize].bending;
+    constraint.ends().map(of).fold(f64::INFINITY, f64::min)
+}
 
+impl ConstrainedSubstep {
     /// Writes down the results of strands and constraints, except those that have taken the substep in substeps; of these only
     /// the roots, which are where the host has put them.
     pub(super) fn report(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
-        let islands = &self.islands[..self.island_count];
+        let (strands, islands) = (self.coupled.strands(), self.coupled.islands());
         let contact = &mut *account.contact;
         (contact.contacts, contact.roots_inside, contact.capped) = (0, 0, 0);
-        for constrained in &self.strands[..self.count] {
+        for constrained in strands {
             if !islands[constrained.island as usize].is_subdivided {
                 account.tally.add(&constrained.step.outcome);
             }
@@ -79,7 +89,7 @@ impl ConstrainedSubstep {
             constraint.begin_report();
         }
         let place = |constrained: u32, material_point: &MaterialPoint| {
-            let strand = &self.strands[constrained as usize];
+            let strand = &strands[constrained as usize];
             (scene.strands[strand.index as usize].id, strand.along(material_point))
         };
         for island in islands.iter().filter(|island| !island.is_subdivided) {
@@ -91,13 +101,12 @@ impl ConstrainedSubstep {
                 match constraint.bilateral() {
                     Some(index) => {
                         contact.constraint_error = contact.constraint_error.max(constraint.gap);
-                        let strand = &self.strands[constraint.first.strand as usize];
+                        let strand = &strands[constraint.first.strand as usize];
                         scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
                         if !was_searched {
-                            contact.penetration =
-                                contact.penetration.max(depth(constraint, &self.strands, scene.options.tolerance));
+                            contact.penetration = contact.penetration.max(depth(constraint, strands, scene.options.tolerance));
                         }
                         // (A contact with friction but no pressure is none, nor is one that pulls, as left by an iteration that
                         // was cut or given up.)
@@ -109,10 +118,9 @@ impl ConstrainedSubstep {
                         }
                         contact.contacts += 1;
                         let (strand, arclength) = place(constraint.first.strand, &constraint.first.material_point);
-                        let position =
-                            self.strands[constraint.first.strand as usize].end_state(&constraint.first.material_point).now;
+                        let position = strands[constraint.first.strand as usize].end_state(&constraint.first.material_point).now;
                         let most =
-                            self.max_force(constraint, h) * if island.progress.ending.is_converged() { SOLVED } else { 1.0 };
+                            max_force(strands, constraint, h) * if island.progress.ending.is_converged() { SOLVED } else { 1.0 };
                         let size = constraint.force.norm();
                         let force = if size > most { constraint.force * (most / size) } else { constraint.force };
                         contact.capped += u32::from(size > most);
@@ -138,7 +146,6 @@ impl ConstrainedSubstep {
                 }
             }
         }
-        self.detection.store_warm_start(islands.iter().filter(|island| !island.is_subdivided), &self.strands);
         for island in islands {
             for dependent in &island.progress.report.dependent {
                 if let Some(index) = island.constraints[dependent.constraint].bilateral() {
@@ -146,6 +153,7 @@ impl ConstrainedSubstep {
                 }
             }
         }
+        self.coupled.store_warm_start();
         for constraint in scene.constraints.iter_mut() {
             constraint.motion.advance(h);
         }

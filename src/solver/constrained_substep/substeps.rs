@@ -7,9 +7,10 @@
 use super::account::{Account, ContactTally};
 use super::{ConstrainedSubstep, Scene};
 use crate::contact::body::{Body, BodyAt};
-use crate::contact::constrained_strand::{ConstrainedStrand, StrandEnd};
 use crate::contact::contact_point::Partner;
-use crate::contact::island::{FEW, Island};
+use crate::coupled::constrained_strand::{ConstrainedStrand, StrandEnd};
+use crate::coupled::coupled_step::CoupledParts;
+use crate::coupled::island::{FEW, Island};
 use crate::meter::Stopped;
 use crate::solver::deep_places::CurrentScene;
 use crate::solver::report::Wrench;
@@ -42,7 +43,8 @@ impl ConstrainedSubstep {
     /// Selects the islands that take the substep in substeps, and returns their strands as they were before it.
     pub(super) fn choose_subdivided(&mut self, scene: &Scene) -> Vec<BeforeSubsteps> {
         let deep = DEEP * scene.options.tolerance;
-        for island in self.islands[..self.island_count].iter_mut() {
+        let CoupledParts { strands, islands, .. } = self.coupled.parts();
+        for island in islands.iter_mut() {
             let may = island.failed() && !island.has_bilateral() && !scene.options.model.is_soft();
             // (A large tangle that cannot be satisfied is expensive. Substeps do not separate what two surfaces push into each
             // other.)
@@ -50,8 +52,8 @@ impl ConstrainedSubstep {
             let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
             island.is_subdivided = may && (few || large);
         }
-        let strands = &self.strands;
-        let taking = (0..self.count).filter(|constrained| self.is_subdivided(*constrained));
+        let is_subdivided = |constrained: &usize| islands[strands[*constrained].island as usize].is_subdivided;
+        let taking = (0..strands.len()).filter(is_subdivided);
         taking
             .map(|constrained| BeforeSubsteps {
                 strand: constrained,
@@ -63,11 +65,12 @@ impl ConstrainedSubstep {
     /// Takes the selected islands through the two halves of a substep of `h` seconds, which may be halved `levels` times more.
     /// Islands that the whole substep left less deep return to that.
     pub(super) fn take_substeps(&mut self, scene: &mut Scene, h: f64, levels: u32, taking: &[BeforeSubsteps]) -> Substeps {
-        let index =
-            |constrained_substep: &Self, taking: &BeforeSubsteps| constrained_substep.strands[taking.strand].index as usize;
+        let index = |constrained_substep: &Self, taking: &BeforeSubsteps| {
+            constrained_substep.coupled.strands()[taking.strand].index as usize
+        };
         let whole: Vec<Strand> = taking.iter().map(|taking| scene.strands[index(self, taking)].clone()).collect();
         let bodies = Self::bodies_at_end(scene, h);
-        while self.islands[..self.island_count].iter().any(|island| island.is_subdivided) {
+        while self.coupled.islands().iter().any(|island| island.is_subdivided) {
             for taking in taking.iter().filter(|taking| self.is_subdivided(taking.strand)) {
                 scene.strands[index(self, taking)].clone_from(&taking.before);
             }
@@ -77,14 +80,14 @@ impl ConstrainedSubstep {
                 for (taking, whole) in taking.iter().zip(&whole) {
                     scene.strands[index(self, taking)].clone_from(whole);
                 }
-                self.islands[..self.island_count].iter_mut().for_each(|island| island.is_subdivided = false);
+                self.coupled.parts().islands.iter_mut().for_each(|island| island.is_subdivided = false);
                 return Substeps::default();
             }
             // The substeps' own depths are not those at the end, and do not include the other strands.
             substeps.reported.penetration = 0.0;
             let (left, mut some_go_back) = (self.depths(scene, &bodies, |constrained| self.is_subdivided(constrained)), false);
-            for (k, island) in self.islands[..self.island_count].iter_mut().enumerate().filter(|(_, island)| island.is_subdivided)
-            {
+            let islands = self.coupled.parts().islands.iter_mut().enumerate();
+            for (k, island) in islands.filter(|(_, island)| island.is_subdivided) {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
                 // (Strands that stayed as they were when the step began have no end to return to.)
                 island.is_subdivided = left[k] <= most || island.is_diverged();
@@ -106,9 +109,9 @@ impl ConstrainedSubstep {
         let mut shorter = self.shorter.take().unwrap_or_default();
         shorter.forget();
         let mut bodies = (scene.copies)();
-        let taking: Vec<usize> = (0..self.count).filter(|constrained| self.is_subdivided(*constrained)).collect();
+        let taking: Vec<usize> = self.subdivided().collect();
         let begin = |constrained: &usize| {
-            let StrandOutcome { iterations, .. } = self.strands[*constrained].step.outcome;
+            let StrandOutcome { iterations, .. } = self.coupled.strands()[*constrained].step.outcome;
             StrandOutcome { converged: true, substeps: 0, iterations, ..StrandOutcome::default() }
         };
         let mut outcomes: Vec<StrandOutcome> = taking.iter().map(begin).collect();
@@ -117,7 +120,7 @@ impl ConstrainedSubstep {
         for _ in 0..2 {
             scene.strands.iter_mut().for_each(|strand| strand.constrained = Constrained::No);
             for constrained in &taking {
-                scene.strands[self.strands[*constrained].index as usize].constrained = Constrained::Yes;
+                scene.strands[self.coupled.strands()[*constrained].index as usize].constrained = Constrained::Yes;
             }
             wrenches.fill(Wrench::default());
             bodies.iter_mut().for_each(|body| body.begin(half));
@@ -129,12 +132,12 @@ impl ConstrainedSubstep {
             let account = Account { tally: &mut Tally::default(), contact: &mut reported, wrenches: &mut wrenches };
             shorter.take(&mut part, half, levels, account);
             bodies.iter_mut().for_each(|body| body.finish(half));
-            for (outcome, part) in outcomes.iter_mut().zip(&shorter.strands[..shorter.count]) {
+            for (outcome, part) in outcomes.iter_mut().zip(shorter.coupled.strands()) {
                 outcome.add_constrained_substep(&part.step.outcome);
             }
         }
         for (constrained, outcome) in taking.iter().zip(&outcomes) {
-            scene.strands[self.strands[*constrained].index as usize].last = outcome.into();
+            scene.strands[self.coupled.strands()[*constrained].index as usize].last = outcome.into();
         }
         self.shorter = Some(shorter);
         Substeps { reported, wrenches, outcomes }
@@ -142,9 +145,9 @@ impl ConstrainedSubstep {
 
     /// Adds the results of substeps to the report.
     pub(super) fn add_substeps(&mut self, substeps: &Substeps, account: Account) {
-        let taking: Vec<usize> = (0..self.count).filter(|constrained| self.is_subdivided(*constrained)).collect();
+        let taking: Vec<usize> = self.subdivided().collect();
         for (constrained, outcome) in taking.into_iter().zip(&substeps.outcomes) {
-            self.strands[constrained].step.outcome = *outcome;
+            self.coupled.parts().strands[constrained].step.outcome = *outcome;
             account.tally.add(outcome);
         }
         account.contact.add_substeps(&substeps.reported);
@@ -154,13 +157,17 @@ impl ConstrainedSubstep {
         }
         if let Some(shorter) = self.shorter.as_deref_mut().filter(|_| !substeps.outcomes.is_empty()) {
             self.contacts.append(&mut shorter.contacts);
-            self.detection.keep_warm_start_of(&shorter.detection);
+            self.coupled.detection().keep_warm_start_of(shorter.coupled.detection());
         }
     }
 
     /// Whether a strand takes the substep in substeps, so that its end of the whole one is dropped.
     pub(super) fn is_subdivided(&self, constrained: usize) -> bool {
-        self.islands[self.strands[constrained].island as usize].is_subdivided
+        self.coupled.island_of(constrained).is_subdivided
+    }
+
+    fn subdivided(&self) -> impl Iterator<Item = usize> {
+        (0..self.coupled.strands().len()).filter(|constrained| self.is_subdivided(*constrained))
     }
 
     /// Measures the depth of islands with strands that move with their roots or are rolled back: for these the end of the
@@ -168,15 +175,15 @@ impl ConstrainedSubstep {
     pub(super) fn report_replaced(&mut self, scene: &Scene, h: f64) {
         let is_replaced =
             |constrained: &ConstrainedStrand| constrained.end == StrandEnd::WithRoot || constrained.step.outcome.quarantined;
-        if scene.is_nested || scene.meter.is_halted() || !self.strands[..self.count].iter().any(is_replaced) {
+        if scene.is_nested || scene.meter.is_halted() || !self.coupled.strands().iter().any(is_replaced) {
             return;
         }
-        let islands = &self.islands[..self.island_count];
-        let any = |island: &Island| island.strands.iter().any(|constrained| is_replaced(&self.strands[*constrained as usize]));
+        let (strands, islands) = (self.coupled.strands(), self.coupled.islands());
+        let any = |island: &Island| island.strands.iter().any(|constrained| is_replaced(&strands[*constrained as usize]));
         let asked: Vec<bool> = islands.iter().map(|island| !island.is_subdivided && any(island)).collect();
         let depths =
-            self.depths(scene, &Self::bodies_at_end(scene, h), |constrained| asked[self.strands[constrained].island as usize]);
-        for (island, (depth, asked)) in self.islands.iter_mut().zip(depths.into_iter().zip(asked)) {
+            self.depths(scene, &Self::bodies_at_end(scene, h), |constrained| asked[strands[constrained].island as usize]);
+        for (island, (depth, asked)) in self.coupled.parts().islands.iter_mut().zip(depths.into_iter().zip(asked)) {
             if asked {
                 island.left.deep = depth;
             }
@@ -198,11 +205,11 @@ impl ConstrainedSubstep {
     /// The depths of the islands of the `asked` strands, m, in the current scene and independent of known contacts. Zero in a
     /// nested substep, where other strands are elsewhere.
     fn depths(&self, scene: &Scene, bodies: &[Body], asked: impl Fn(usize) -> bool + Sync) -> Vec<f64> {
-        let mut depths = vec![0.0_f64; self.island_count];
+        let mut depths = vec![0.0_f64; self.coupled.islands().len()];
         if scene.is_nested {
             return depths;
         }
-        let constrained = &self.strands[..self.count];
+        let constrained = self.coupled.strands();
         let island = |index: usize| {
             let found = constrained.binary_search_by_key(&(index as u32), |constrained| constrained.index);
             found.ok().filter(|place| asked(*place)).map(|place| constrained[place].island as usize)

@@ -41,7 +41,7 @@ fn layers(model: ContactModel, count: usize) -> (Solver, Vec<StrandId>, Vec<Stra
     let strand = StrandContact { radius: 1e-4, wisp_radius: 1e-3, ..StrandContact::default() };
     solver.set_contact(&ids, Some(&strand)).unwrap();
     solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(BALL).unwrap()))]).unwrap();
-    solver.constrained_substep.max_searches = Some(1);
+    solver.constrained_substep.coupled.max_searches = Some(1);
     (solver, ids, defs)
 }
 
@@ -102,7 +102,7 @@ fn substeps_leave_nothing_deeper_than_the_whole_step() {
         let mut left = [0.0; 2];
         for (left, levels) in left.iter_mut().zip([0, 1]) {
             solver.restore(&before).unwrap();
-            (solver.options.step.max_subdivisions, solver.constrained_substep.max_searches) = (levels, Some(2));
+            (solver.options.step.max_subdivisions, solver.constrained_substep.coupled.max_searches) = (levels, Some(2));
             let report = solver.step(H, 1).unwrap();
             subdivided += report.subdivided;
             *left = deepest(&mut solver, &ids);

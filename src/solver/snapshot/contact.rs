@@ -1,14 +1,16 @@
 //! Contact in a snapshot, beside bodies: options, contact parameters of strands, and the warm start of the next substep.
 
+use std::sync::Arc;
+
 use nalgebra::Matrix3;
 
 use super::bytes::{Reader, Writer, bad, of_part};
-use crate::contact::hair_pairs::PairMemory;
+use crate::contact::broad_phase::hair_pairs::PairMemory;
+use crate::contact::broad_phase::pieces::{Piece, Wisp};
 use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
 use crate::contact::permitted_overlap::PermittedOverlap;
-use crate::contact::pieces::{Piece, Wisp};
+use crate::coupled::detection::{ContactMemory, NearStrands, WarmStartForce, With};
 use crate::error::Result;
-use crate::solver::contact_detection::{ContactMemory, NearStrands, WarmStartForce, With};
 
 /// Says that contacts are with a strand, beside their number.
 const STRAND: u32 = 1 << 31;
@@ -186,7 +188,7 @@ impl Reader<'_> {
     }
 
     /// The permitted overlap of a strand.
-    pub fn permitted_overlap(&mut self) -> Result<Option<Box<PermittedOverlap>>> {
+    pub fn permitted_overlap(&mut self) -> Result<Option<Arc<PermittedOverlap>>> {
         let count = self.count(3 * 8)?;
         if count == 0 {
             return Ok(None);
@@ -194,7 +196,7 @@ impl Reader<'_> {
         let mut list = || (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>();
         let permitted_overlap = PermittedOverlap { along: list()?, wisp_fractions: list()?, sunk: list()? };
         permitted_overlap.check("permitted overlap").map_err(|error| of_part("a strand", &error))?;
-        Ok(Some(Box::new(permitted_overlap)))
+        Ok(Some(Arc::new(permitted_overlap)))
     }
 
     /// Friction by direction.

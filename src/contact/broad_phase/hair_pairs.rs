@@ -1,0 +1,496 @@
+//! Pairs of strands that may be in contact, kept from step to step, and their contacts.
+//!
+//! The search for pairs of pieces (`pieces.rs`, `broad_phase.rs`) finds all that come within a margin of contact. The result is
+//! valid until a piece has moved by more than its margin, which is checked at every iterate, so that no pair goes undetected.
+//! Motion common to all strands (a head that turns) does not count: motion is measured relative to that of the roots.
+//!
+//! Files:
+//!
+//! - `knots.rs`: Knots: where ties hold strands together their wisps give way to each other.
+//! - `memory.rs`: What the search for pairs keeps from step to step, saved and restored for snapshots.
+
+mod knots;
+mod memory;
+
+use std::ops::Range;
+
+use nalgebra::{Matrix3, Vector3};
+
+use knots::Knots;
+pub use knots::Tie;
+pub(crate) use memory::PairMemory;
+
+use super::boxes::Grid;
+use super::pieces::{Pieces, PlacedPieces, Wisp};
+use crate::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
+use crate::contact::narrow_phase::segment_distance::closest_of_segments;
+use crate::contact::narrow_phase::strand_contacts::{MovingPiece, PairScratch, TwoStrands, relative_motion};
+use crate::contact::shape::Bounds;
+use crate::error::{Error, Result, check_not_negative};
+use crate::meter::Meter;
+use crate::workers::WorkerSet;
+
+/// Search distances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairOptions {
+    /// Gaps up to this are contacts, m, zero or above: as far as strands may approach between two searches.
+    pub activation: f64,
+    /// How far a piece may move relative to the rest before pairs are searched for again, m, zero or above. A larger one means
+    /// fewer searches and more candidates.
+    pub margin: f64,
+}
+
+/// The results of searches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PairCounts {
+    /// Calls of [`HairPairs::update`].
+    pub updates: u64,
+    /// Those that searched.
+    pub searches: u64,
+    /// Pieces of all strands.
+    pub pieces: usize,
+    /// Pairs of pieces that may be in contact.
+    pub candidates: usize,
+    /// Pairs of strands with such pieces.
+    pub groups: usize,
+}
+
+/// The candidates of two strands, a range of all candidates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Group {
+    /// Index of the first strand.
+    pub a: u32,
+    /// Index of the second; not less than the first.
+    pub b: u32,
+    from: u32,
+    to: u32,
+}
+
+impl Group {
+    /// The number of pairs of pieces.
+    pub fn candidates(&self) -> u32 {
+        self.to - self.from
+    }
+}
+
+/// Some buckets of the grid, and the candidates found in them.
+#[derive(Debug, Default)]
+struct SearchPart {
+    buckets: Range<usize>,
+    found: Vec<u128>,
+}
+
+/// The number of tasks of a search, whatever the threads.
+const PARTS: usize = 128;
+
+/// Pairs of strands that may be in contact. Memory is kept: once it has grown, nothing is allocated.
+#[derive(Debug, Default)]
+pub struct HairPairs {
+    wisps: Vec<Wisp>,
+    activation: f64,
+    margin: f64,
+    pieces: Pieces,
+    knots: Knots,
+    grid: Grid,
+    boxes: Vec<Bounds>,
+    candidates: Vec<(u32, u32)>,
+    /// The results of the present search, task by task.
+    parts: Vec<SearchPart>,
+    /// All of them, as numbers in the candidates' order.
+    found: Vec<u128>,
+    merged: Vec<(u32, u32)>,
+    groups: Vec<Group>,
+    start: PlacedPieces,
+    /// Sagittas are the larger of then and now.
+    now: PlacedPieces,
+    placing: Vec<PlacedPieces>,
+    /// The start carried along by the common motion of all strands; the rotation of that motion.
+    carried: Vec<Vector3<f64>>,
+    turned: Matrix3<f64>,
+    /// The roots of the strands with a wisp radius, at the start of the step and now.
+    roots: [Vec<Root>; 2],
+    /// Nodes, roots and sagittas when the candidates were found.
+    found_at: Vec<Vector3<f64>>,
+    /// Whether a strand, by its index, has moved further than its candidates allow.
+    left: Vec<bool>,
+    found_roots: Vec<Root>,
+    found_sagittas: Vec<f64>,
+    /// The start has not been placed yet; it is the one for which the candidates were found.
+    begun: bool,
+    found_this_step: bool,
+    counts: PairCounts,
+    valid: bool,
+}
+
+impl HairPairs {
+    /// Sets the wisps. The next [`update`](Self::update) searches.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for an option or a wisp that is out of range; nothing is changed then.
+    pub fn set(&mut self, wisps: &[Wisp], options: &PairOptions) -> Result<()> {
+        check_not_negative(|| "activation".into(), options.activation)?;
+        check_not_negative(|| "margin".into(), options.margin)?;
+        for (index, wisp) in wisps.iter().enumerate() {
+            wisp.check(|| format!("wisps[{index}]"))?;
+        }
+        self.wisps.clear();
+        self.wisps.extend_from_slice(wisps);
+        (self.activation, self.margin, self.valid) = (options.activation, options.margin, false);
+        // The ties were those of other strands.
+        self.knots.set(&[], 0, |_| 0.0)
+    }
+
+    /// Sets the ties between strands, in place of earlier ones. Beside a knot their contacts have a smaller radius, and next to
+    /// it there are none. Needs no new search.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a strand that is none of the wisps, or an arclength that is negative or not finite;
+    /// nothing is changed then.
+    pub fn set_ties(&mut self, ties: &[Tie]) -> Result<()> {
+        let Self { knots, wisps, .. } = self;
+        knots.set(ties, wisps.len(), |strand| wisps[strand as usize].radius)
+    }
+
+    /// A step begins: the next [`update`](Self::update) has another start. Within a step the starts of its paths are the same.
+    pub fn begin_step(&mut self) {
+        (self.begun, self.found_this_step) = (true, false);
+    }
+
+    /// Updates the strands' positions, at every iterate, and searches if the candidates may be incomplete. True if it searched.
+    /// Strands are paths in the order of the wisps; their numbers of elements and their lengths must be those of the last
+    /// search (otherwise call [`set`](Self::set)). A strand that is not finite has no contacts until the next search.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for another number of strands than of wisps.
+    pub fn update(&mut self, strands: &[StrandPath]) -> Result<bool> {
+        self.update_by(strands, &WorkerSet::<()>::serial(), &Meter::unlimited())
+    }
+
+    /// [`HairPairs::update`] by workers. If `meter` halts it there are no pairs, and the next update searches.
+    pub(crate) fn update_by<S: Default + Send>(
+        &mut self,
+        strands: &[StrandPath],
+        workers: &WorkerSet<S>,
+        meter: &Meter,
+    ) -> Result<bool> {
+        if strands.len() != self.wisps.len() {
+            return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
+        }
+        self.counts.updates += 1;
+        if self.valid {
+            if self.begun {
+                self.place_start(strands, workers);
+            }
+            self.place(strands, workers);
+            self.valid = !self.now.outgrown;
+            if self.valid && self.are_within() {
+                return Ok(false);
+            }
+        }
+        // Within a step the strands that have not moved too far keep their candidates.
+        if !(self.valid && self.found_this_step) {
+            self.pieces.cut(&self.wisps, |strand| strands[strand].now);
+            self.place_start(strands, workers);
+            self.place(strands, workers);
+            self.left.clear();
+            self.left.resize(self.wisps.len(), true);
+            self.candidates.clear();
+            // The search takes over all positions.
+            self.found_at.resize(self.now.nodes.len(), Vector3::zeros());
+            self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
+        }
+        self.search(workers, meter);
+        let whole = !meter.is_halted();
+        if !whole {
+            self.groups.clear();
+        }
+        (self.valid, self.found_this_step) = (whole, whole);
+        Ok(true)
+    }
+
+    /// Places everything at the start of the step.
+    fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].start, workers, &mut self.placing, &mut self.start);
+        roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
+        self.begun = false;
+    }
+
+    /// Places everything at the present iterate.
+    fn place<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].now, workers, &mut self.placing, &mut self.now);
+        for (now, then) in self.now.sagittas.iter_mut().zip(&self.start.sagittas) {
+            *now = now.max(*then);
+        }
+        roots_of(strands, &self.wisps, |strand| strand.now, &mut self.roots[1]);
+        let shared = RigidMotion::shared(&self.roots[0], &self.roots[1]);
+        self.carried.clear();
+        self.carried.extend(self.start.nodes.iter().map(|node| shared.of(node)));
+        self.turned = shared.turn;
+    }
+
+    /// Whether no piece has moved further than the candidates allow; `left` marks the strands of such pieces.
+    fn are_within(&mut self) -> bool {
+        let Self { left, found_at, found_sagittas, margin, .. } = self;
+        left.clear();
+        left.resize(self.wisps.len(), false);
+        // The start is the one of the search, and was looked at then, or within the margin like everything else.
+        let whens: &[_] =
+            &[(&self.now.nodes, &self.roots[1]), (&self.start.nodes, &self.roots[0])][..if self.found_this_step { 1 } else { 2 }];
+        for (nodes, roots) in whens {
+            let moved = RigidMotion::shared(&self.found_roots, roots);
+            for (index, piece) in self.pieces.pieces.iter().enumerate() {
+                let node = piece.node as usize;
+                let off = |node: usize| (nodes[node] - moved.of(&found_at[node])).norm();
+                let within = off(node).max(off(node + 1)) + self.now.sagittas[index] <= *margin + found_sagittas[index];
+                left[piece.strand as usize] |= !within;
+            }
+        }
+        !left.contains(&true)
+    }
+
+    /// Finds the candidates of the strands that have moved too far; all others keep theirs.
+    fn search<S: Default + Send>(&mut self, workers: &WorkerSet<S>, meter: &Meter) {
+        let Self {
+            wisps, pieces, boxes, candidates, grid, parts, found, merged, carried, left, found_at, found_sagittas, ..
+        } = self;
+        let pieces = &pieces.pieces;
+        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
+            let node = piece.node as usize;
+            found_at[node..node + 2].copy_from_slice(&self.now.nodes[node..node + 2]);
+            found_sagittas[index] = self.now.sagittas[index];
+        }
+        let (now, sagittas) = (&*found_at, &*found_sagittas);
+        boxes.clear();
+        boxes.extend(pieces.iter().zip(sagittas).map(|(piece, sagitta)| {
+            let node = piece.node as usize;
+            let room = wisps[piece.strand as usize].radius + self.margin + sagitta + 0.5 * self.activation;
+            let (mut low, mut high) = (now[node].inf(&now[node + 1]), now[node].sup(&now[node + 1]));
+            for from in &carried[node..node + 2] {
+                (low, high) = (low.inf(from), high.sup(from));
+            }
+            Bounds { low: low - Vector3::repeat(room), high: high + Vector3::repeat(room) }
+        }));
+        let has_left = |index: usize| left[pieces[index].strand as usize];
+        candidates.retain(|(i, j)| !has_left(*i as usize) && !has_left(*j as usize));
+        // By first strand, second strand, first piece, second piece.
+        let order = |(i, j): &(u32, u32)| {
+            let strand = |index: u32| u128::from(pieces[index as usize].strand);
+            strand(*i) << 96 | strand(*j) << 64 | u128::from(*i) << 32 | u128::from(*j)
+        };
+        let pair = |order: u128| ((order >> 32) as u32, order as u32);
+        found.clear();
+        let ends = |index: usize| {
+            let node = pieces[index].node as usize;
+            [now[node], now[node + 1]]
+        };
+        let moved = |index: usize| {
+            let node = pieces[index].node as usize;
+            [now[node] - carried[node], now[node + 1] - carried[node + 1]]
+        };
+        let buckets = grid.fill(boxes);
+        let (activation, margin) = (self.activation, self.margin);
+        parts.resize_with(PARTS, SearchPart::default);
+        for (k, part) in parts.iter_mut().enumerate() {
+            part.buckets = buckets * k / PARTS..buckets * (k + 1) / PARTS;
+            part.found.clear();
+        }
+        let (grid, boxes) = (&*grid, &*boxes);
+        workers.for_each_task(parts, 1, 1, |parts, _| {
+            for SearchPart { buckets, found } in parts {
+                if meter.is_halted() {
+                    continue;
+                }
+                grid.pairs_in(buckets.clone(), boxes, has_left, |i, j| {
+                    let (a, b) = (i as usize, j as usize);
+                    let (first, second) = (&pieces[a], &pieces[b]);
+                    let (wisp, other) = (&wisps[first.strand as usize], &wisps[second.strand as usize]);
+                    let may = if first.strand == second.strand {
+                        wisp.meets_itself && second.element > first.element + 1
+                    } else {
+                        wisp.meets(other)
+                    };
+                    if may {
+                        let room = wisp.radius + other.radius + sagittas[a] + sagittas[b] + activation + 2.0 * margin;
+                        let (at_a, at_b) = (ends(a), ends(b));
+                        let distance = closest_of_segments([&at_a[0], &at_a[1]], [&at_b[0], &at_b[1]]).distance;
+                        if distance <= room + relative_motion(moved(a), moved(b)) {
+                            found.push(order(&(i, j)));
+                        }
+                    }
+                });
+            }
+        });
+        if meter.is_halted() {
+            return;
+        }
+        for part in parts.iter() {
+            found.extend_from_slice(&part.found);
+        }
+        found.sort_unstable();
+        // Kept and new candidates, in their common order.
+        merged.clear();
+        let mut new = found.iter().peekable();
+        for candidate in candidates.iter() {
+            let here = order(candidate);
+            while let Some(before) = new.next_if(|found| **found < here) {
+                merged.push(pair(*before));
+            }
+            merged.push(*candidate);
+        }
+        merged.extend(new.map(|found| pair(*found)));
+        candidates.clone_from(merged);
+        self.found_roots.clone_from(&self.roots[1]);
+        self.counts.searches += 1;
+        self.group();
+    }
+
+    /// Groups the candidates by their strands.
+    fn group(&mut self) {
+        let Self { pieces, candidates, groups, counts, .. } = self;
+        let pieces = &pieces.pieces;
+        groups.clear();
+        for (index, (i, j)) in candidates.iter().enumerate() {
+            let (a, b) = (pieces[*i as usize].strand, pieces[*j as usize].strand);
+            match groups.last_mut() {
+                Some(group) if (group.a, group.b) == (a, b) => group.to = index as u32 + 1,
+                _ => groups.push(Group { a, b, from: index as u32, to: index as u32 + 1 }),
+            }
+        }
+        (counts.pieces, counts.candidates, counts.groups) = (pieces.len(), candidates.len(), groups.len());
+    }
+
+    /// Gaps up to this are contacts, m.
+    pub fn activation(&self) -> f64 {
+        self.activation
+    }
+
+    /// Pairs of strands that may be in contact, by first and second strand. Valid until the next search.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m, zero or
+    /// above; no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do
+    /// so for different groups; with the groups in their order, contacts are sorted by first strand, second strand, arclength
+    /// of the first, of the second.
+    pub fn contacts(
+        &self,
+        group: &Group,
+        strands: &[StrandPath],
+        within: f64,
+        scratch: &mut PairScratch,
+        out: &mut Vec<ContactPoint>,
+    ) {
+        let moving = |index: u32| {
+            let piece = &self.pieces.pieces[index as usize];
+            let node = piece.node as usize;
+            MovingPiece {
+                piece,
+                start: [self.carried[node], self.carried[node + 1]],
+                now: [self.now.nodes[node], self.now.nodes[node + 1]],
+                sagitta: self.now.sagittas[index as usize],
+            }
+        };
+        let two = TwoStrands {
+            a: &strands[group.a as usize],
+            b: &strands[group.b as usize],
+            wisp_a: &self.wisps[group.a as usize],
+            wisp_b: &self.wisps[group.b as usize],
+            within: within.min(self.activation),
+            turned: self.turned,
+        };
+        let candidates = self.candidates[group.from as usize..group.to as usize].iter();
+        let first = out.len();
+        two.contacts(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+        if self.knots.holds(group.a) && self.knots.holds(group.b) {
+            self.gather(group, strands, within, first, out);
+        }
+    }
+
+    /// Removes contacts from `first` on that are in a knot, and reduces the radii of those beside one.
+    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<ContactPoint>) {
+        let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
+        let along = |strand: u32, place: &StrandPoint| strands[strand as usize].now.along(place.element as usize, place.s);
+        let mut kept = first;
+        for index in first..out.len() {
+            let mut contact = out[index];
+            if let Partner::Strand(other) = &contact.partner {
+                let along = [along(group.a, &contact.point), along(group.b, other)];
+                let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
+                contact.gap += (1.0 - fraction) * radii;
+                if fraction < 1.0 && contact.gap > within {
+                    continue;
+                }
+            }
+            out[kept] = contact;
+            kept += 1;
+        }
+        out.truncate(kept);
+    }
+
+    /// The counts so far.
+    pub fn counts(&self) -> PairCounts {
+        self.counts
+    }
+}
+
+/// The pose of a strand's root.
+#[derive(Debug, Clone, Copy)]
+struct Root {
+    origin: Vector3<f64>,
+    frame: Matrix3<f64>,
+}
+
+/// The roots of the strands with a wisp radius.
+fn roots_of<'a>(
+    strands: &[StrandPath<'a>],
+    wisps: &[Wisp],
+    curve: impl Fn(&StrandPath<'a>) -> StrandCurve<'a>,
+    roots: &mut Vec<Root>,
+) {
+    let taking_part = strands.iter().zip(wisps).filter(|(_, wisp)| wisp.radius > 0.0);
+    roots.clear();
+    roots.extend(taking_part.filter_map(|(strand, _)| {
+        let curve = curve(strand);
+        let first = curve.elements.first()?;
+        Some(Root { origin: curve.origin, frame: first.frame_left.into() })
+    }));
+}
+
+/// A rotation and a translation.
+#[derive(Debug)]
+struct RigidMotion {
+    turn: Matrix3<f64>,
+    from: Vector3<f64>,
+    to: Vector3<f64>,
+}
+
+/// Roots share no rotation if their mean rotation is shorter than this (1 for equal rotations).
+const SHARED: f64 = 0.5;
+
+impl RigidMotion {
+    /// The common motion of roots: the mean of their rotations and of their origins. (Not that of the strands' points: two
+    /// strands that pass through each other may look like one body that turned.)
+    fn shared(roots: &[Root], later: &[Root]) -> Self {
+        let (mut from, mut to, mut turns, mut count) = (Vector3::zeros(), Vector3::zeros(), Matrix3::zeros(), 0.0);
+        for (then, now) in roots.iter().zip(later) {
+            let turn = now.frame * then.frame.transpose();
+            if (turn.norm_squared() + then.origin.norm_squared() + now.origin.norm_squared()).is_finite() {
+                (from, to, turns, count) = (from + then.origin, to + now.origin, turns + turn, count + 1.0);
+            }
+        }
+        if count == 0.0 {
+            return Self { turn: Matrix3::identity(), from, to };
+        }
+        let svd = (turns / count).svd(true, true);
+        let turn = match (svd.u, svd.v_t) {
+            (Some(u), Some(v_t)) if svd.singular_values.min() > SHARED && (u * v_t).determinant() > 0.0 => u * v_t,
+            _ => Matrix3::identity(),
+        };
+        Self { turn, from: from / count, to: to / count }
+    }
+
+    fn of(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        self.to + self.turn * (point - self.from)
+    }
+}

@@ -1,0 +1,59 @@
+//! The largest number of contacts of a strand. The cost and memory of a strand's model grow with the square of that number:
+//! hair left in a heap of itself would have thousands. The deepest are kept.
+
+use super::constrained_strand::ConstrainedStrand;
+use crate::contact::constraint::step_constraint::StepConstraint;
+
+/// The largest mean number of contacts per element of a strand.
+const MAX_PER_ELEMENT: usize = 12;
+/// The number to which it is reduced if time is short.
+const MIN_PER_ELEMENT: usize = 2;
+/// The budget has to last for this many iterations.
+const ITERATIONS: u64 = 6;
+
+/// Removes the least deep contacts of strands that have too many, and marks these strands as having undetected contacts.
+/// `left`: the work that is left.
+pub fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [ConstrainedStrand], left: u64) {
+    strands.iter_mut().for_each(|constrained| constrained.constraint_count = 0);
+    for end in constraints.iter().flat_map(StepConstraint::ends) {
+        strands[end.strand as usize].constraint_count += 1;
+    }
+    let room = |constrained: &ConstrainedStrand, most: usize| most * constrained.elements();
+    let work = |most: usize| -> u64 {
+        strands
+            .iter()
+            .map(|constrained| 2 * constrained.half_work_with(constrained.constraint_count.min(room(constrained, most))))
+            .sum()
+    };
+    let mut most = MAX_PER_ELEMENT;
+    while most > MIN_PER_ELEMENT && work(most) > left / ITERATIONS {
+        most -= 1;
+    }
+    if strands.iter().all(|constrained| constrained.constraint_count <= room(constrained, most)) {
+        return;
+    }
+    // Bilateral constraints first.
+    let mut order: Vec<u32> = (0..constraints.len() as u32).collect();
+    let key = |index: &u32| (constraints[*index as usize].is_contact(), constraints[*index as usize].gap);
+    order.sort_by(|a, b| {
+        let (a, b) = ((key(a), a), (key(b), b));
+        a.0.0.cmp(&b.0.0).then(a.0.1.total_cmp(&b.0.1)).then(a.1.cmp(b.1))
+    });
+    strands.iter_mut().for_each(|constrained| constrained.constraint_count = 0);
+    let mut stays = vec![false; constraints.len()];
+    for index in order {
+        let constraint = &constraints[index as usize];
+        let has_room = |constrained: &ConstrainedStrand| constrained.constraint_count < room(constrained, most);
+        if !constraint.is_contact() || constraint.ends().all(|end| has_room(&strands[end.strand as usize])) {
+            constraint.ends().for_each(|end| strands[end.strand as usize].constraint_count += 1);
+            stays[index as usize] = true;
+        } else {
+            constraint.ends().for_each(|end| strands[end.strand as usize].has_undetected = true);
+        }
+    }
+    let mut index = 0;
+    constraints.retain(|_| {
+        index += 1;
+        stays[index - 1]
+    });
+}

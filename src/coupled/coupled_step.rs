@@ -1,0 +1,227 @@
+//! The step of coupled strands: the strands that are constrained in it, their constraints, and their islands, since constraints
+//! couple strands, directly or through others.
+
+use super::constrained_strand::{Attachment, ConstrainedStrand};
+use super::detection::{ContactDetection, ContactMemory};
+use super::island::Island;
+use super::island_problem::ProblemScratch;
+use super::packs::{Packs, Work};
+use super::solitary::Member;
+use crate::contact::body::BodyAt;
+use crate::contact::constraint::step_constraint::StepConstraint;
+use crate::contact::options::ContactOptions;
+use crate::math::disjoint_sets::DisjointSets;
+use crate::meter::{Meter, Stopped};
+use crate::step::Setting;
+use crate::workers::WorkerSet;
+
+/// What the step of coupled strands needs beside them.
+pub struct Stepping<'a, S> {
+    /// The setting of the strands' steps.
+    pub setting: &'a Setting<'a>,
+    /// The options of contact.
+    pub options: &'a ContactOptions,
+    /// The bodies, as they move in the step.
+    pub bodies: &'a [BodyAt<'a>],
+    /// The workers, with their scratch memory.
+    pub workers: &'a WorkerSet<S>,
+    /// The budget of the step.
+    pub meter: &'a Meter<'a>,
+    /// The step, s.
+    pub h: f64,
+}
+
+/// A worker's scratch memory, with that of contact problems.
+pub trait Scratch: Default + Send + AsMut<ProblemScratch> {}
+
+impl<S: Default + Send + AsMut<ProblemScratch>> Scratch for S {}
+
+impl<S> Clone for Stepping<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for Stepping<'_, S> {}
+
+/// Begins the step of the strands that are [`Formula::ToBeginAgain`](super::constrained_strand::Formula) again, by implicit
+/// Euler: whoever owns the strands' states does it.
+pub type BeginAgain<'a> = dyn FnMut(&mut Packs, &mut [ConstrainedStrand]) + 'a;
+
+/// The constrained strands of a step, their contacts and their islands. Memory is kept from step to step.
+#[derive(Debug, Default)]
+pub struct CoupledStep {
+    /// The constrained strands; more may be kept for their memory.
+    pub(super) strands: Vec<ConstrainedStrand>,
+    pub(super) count: usize,
+    pub(super) packs: Packs,
+    pub(super) islands: Vec<Island>,
+    pub(super) island_count: usize,
+    /// Memory for lists of islands, and of packs.
+    pub(super) at_work: Vec<&'static mut Island>,
+    pub(super) solitary_work: Vec<Work<'static, Member<'static>>>,
+    /// Islands with strands that may have to begin again by the other formula, and those strands.
+    pub(super) asked: Vec<bool>,
+    pub(super) pressed: Vec<u32>,
+    /// Time of contact problems since it was last read, s.
+    pub(super) contact_seconds: f64,
+    pub(super) detection: ContactDetection,
+    /// Those that belong to no island yet.
+    pub(super) constraints: Vec<StepConstraint>,
+    sets: DisjointSets,
+    /// The largest number of searches for undetected contacts, if not the usual one.
+    #[cfg(test)]
+    pub max_searches: Option<u32>,
+}
+
+/// The parts of coupled strands, borrowed side by side.
+#[derive(Debug)]
+pub struct CoupledParts<'a> {
+    /// Their packs.
+    pub packs: &'a mut Packs,
+    /// The strands.
+    pub strands: &'a mut [ConstrainedStrand],
+    /// Their islands.
+    pub islands: &'a mut [Island],
+    /// Constraints that belong to no island yet.
+    pub constraints: &'a mut Vec<StepConstraint>,
+}
+
+impl CoupledStep {
+    /// Makes room for `count` strands of a new step, as the last step left them.
+    pub fn begin(&mut self, count: usize) {
+        self.count = count;
+        self.strands.resize_with(self.strands.len().max(count), ConstrainedStrand::default);
+        self.packs.clear();
+    }
+
+    /// The strands.
+    pub fn strands(&self) -> &[ConstrainedStrand] {
+        &self.strands[..self.count]
+    }
+
+    /// The islands.
+    pub fn islands(&self) -> &[Island] {
+        &self.islands[..self.island_count]
+    }
+
+    /// All of it.
+    pub fn parts(&mut self) -> CoupledParts<'_> {
+        CoupledParts {
+            packs: &mut self.packs,
+            strands: &mut self.strands[..self.count],
+            islands: &mut self.islands[..self.island_count],
+            constraints: &mut self.constraints,
+        }
+    }
+
+    /// The island of a strand.
+    pub fn island_of(&self, strand: usize) -> &Island {
+        &self.islands[self.strands[strand].island as usize]
+    }
+
+    /// The time of searches and of contact problems since it was last read, s.
+    pub fn take_seconds(&mut self) -> [f64; 2] {
+        [self.detection.take_seconds(), std::mem::take(&mut self.contact_seconds)]
+    }
+
+    /// What is kept of contacts from step to step.
+    pub fn detection(&mut self) -> &mut ContactDetection {
+        &mut self.detection
+    }
+
+    /// The contacts kept from the last step.
+    pub fn memory(&self) -> ContactMemory {
+        self.detection.memory()
+    }
+
+    /// Stores the contacts' forces as the warm start of the next step, except those of islands that are subdivided.
+    pub fn store_warm_start(&mut self) {
+        let islands = self.islands[..self.island_count].iter().filter(|island| !island.is_subdivided);
+        self.detection.store_warm_start(islands, &self.strands);
+    }
+
+    /// Ends all islands where they are, unless they have converged.
+    pub fn stop(&mut self, why: Stopped) {
+        self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(why));
+    }
+
+    /// Whether nothing is left to do for any island.
+    pub fn is_done(&self) -> bool {
+        self.islands().iter().all(|island| island.done && !island.is_to_be_tried_again())
+    }
+
+    /// Goes on with islands that were solved roughly. True if there is more to do.
+    pub fn refine(&mut self) -> bool {
+        let mut goes_on = false;
+        for island in &mut self.islands[..self.island_count] {
+            if island.refine() {
+                goes_on = true;
+                for constrained in &island.strands {
+                    let constrained = &mut self.strands[*constrained as usize];
+                    (constrained.ended, constrained.resting, constrained.woken) = (None, false, 0);
+                }
+            }
+        }
+        goes_on
+    }
+
+    /// Couples the constraints' strands into islands, to be solved `rough`ly first where that is of use.
+    pub fn tie(&mut self, rough: bool) {
+        self.sets.reset(self.count);
+        for constraint in &self.constraints {
+            if let Some(second) = constraint.second {
+                self.sets.join(constraint.first.strand, second.strand);
+            }
+        }
+        for constrained in &mut self.strands[..self.count] {
+            constrained.attachments.clear();
+            constrained.woken = 0;
+        }
+        self.island_count = 0;
+        for k in 0..self.count {
+            let lowest = self.sets.lowest(k as u32) as usize;
+            let island = if lowest == k {
+                self.island_count += 1;
+                self.islands.resize_with(self.islands.len().max(self.island_count), Island::default);
+                self.islands[self.island_count - 1].clear();
+                self.island_count - 1
+            } else {
+                self.strands[lowest].island as usize
+            };
+            self.strands[k].island = island as u32;
+            self.islands[island].strands.push(k as u32);
+        }
+        for island in &mut self.islands[..self.island_count] {
+            // Strands on which nothing new acts are coupled as before.
+            let ended = |constrained: &u32| self.strands[*constrained as usize].ended;
+            if island.strands.iter().all(|constrained| ended(constrained).is_some())
+                && let Some(ending) = island.strands.first().and_then(ended)
+            {
+                island.keep(ending);
+            }
+            if let [alone] = island.strands[..]
+                && let Some(progress) = self.strands[alone as usize].progress.take()
+            {
+                island.resume(progress);
+            }
+        }
+        for constraint in self.constraints.drain(..) {
+            let island = &mut self.islands[self.strands[constraint.first.strand as usize].island as usize];
+            let number = island.constraints.len() as u32;
+            island.constraints.push(constraint);
+            for (k, end) in constraint.ends().enumerate() {
+                let attachment = Attachment {
+                    constraint: number,
+                    second: k == 1,
+                    material_point: end.material_point,
+                    modelled: constraint.modelled[k],
+                };
+                self.strands[end.strand as usize].attachments.push(attachment);
+            }
+        }
+        if rough {
+            self.islands[..self.island_count].iter_mut().for_each(Island::begin_roughly);
+        }
+    }
+}

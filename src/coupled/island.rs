@@ -1,0 +1,517 @@
+//! Islands: strands coupled by constraints, directly or through others. Their constraints at the present iterate, and the test
+//! for convergence. (The contact problem of one iteration: `island_problem.rs`.)
+
+use nalgebra::Vector3;
+
+use super::constrained_strand::{Attachment, ConstrainedStrand, Strands};
+use super::ending::{Ending, Outcome};
+use crate::chain::load::MaterialPoint;
+use crate::contact::body::BodyAt;
+use crate::contact::constraint::law::Law;
+use crate::contact::constraint::law::coefficient::Coefficient;
+use crate::contact::constraint::law::contact::Friction;
+use crate::contact::constraint::law::response::Response;
+use crate::contact::constraint::step_constraint::{ConstraintKind, Give, SAME_SIDE, Standing, StepConstraint};
+use crate::contact::narrow_phase::nearest::nearest;
+use crate::contact::options::{ContactModel, ContactOptions, MAX_CHOSEN_ITERATIONS};
+use crate::contact::solver::contact_space::End;
+use crate::contact::solver::gauss_seidel::Report;
+
+/// Tolerance of a rigid bilateral constraint at the end of a step, m.
+const BILATERAL_TOLERANCE: f64 = 1e-10;
+/// Tolerances of a rough solve: the residual, as a fraction of the size of the problem, and the distance of an element from
+/// convergence, rad.
+const ROUGH: f64 = 1e-3;
+const ROUGH_TOLERANCE: f64 = 1e-3;
+/// The same two tolerances for the penalty models.
+const SOFT: f64 = 1e-3;
+const SOFT_TOLERANCE: f64 = 2e-3;
+/// A strand that ends further from convergence than this, rad, has diverged.
+const DIVERGED: f64 = 0.1;
+
+/// Iterations in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
+/// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
+/// is ended.
+const PATIENCE: [u32; 3] = [5, 15, 25];
+/// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
+/// tolerance; of a bilateral constraint, m.
+pub(super) const ENOUGH_TURN: f64 = 1e-2;
+const ENOUGH_DEPTH: f64 = 2.0;
+const ENOUGH_BILATERAL: f64 = 1e-9;
+/// A contact problem has no solution if a force exceeds this many times the force that moves a strand by its own length in a
+/// step.
+const NO_SOLUTION: f64 = 1e4;
+/// The same for bilateral constraints, in units of that force plus the force that bends an element by a radian. Constraints
+/// that can be satisfied need a few times as much in the end, though more during the iteration; others need a thousand times
+/// more in every iteration.
+const CANNOT_HOLD: f64 = 1e12;
+/// An island with bilateral constraints is ended after this many iterations in a row that move no strand by more than this
+/// fraction of the tolerance, or leave the contact problem with more than this residual: the constraints leave its contacts no
+/// room (hard models; others yield).
+const IDLE: u32 = 5;
+const STILL: f64 = 1e-2;
+const HOPELESS: f64 = 0.1;
+
+/// A strand may rest if it is closer to convergence than this fraction of the tolerance, until changed forces would move it by
+/// more than that (an element's length times the angle).
+const REST: f64 = 0.3;
+/// In an island of at most this many strands none rests, and there is no rough solve.
+pub const FEW: usize = 20;
+
+/// Compliance of a relaxed constraint, in units of the displacement of the whole strand by its force in a step.
+const RELAXED: f64 = 0.03;
+/// The same of a single contact that yields.
+const YIELDS: f64 = 0.003;
+/// How far from a body's surface a contact is updated, m.
+const LOOK: f64 = 0.01;
+/// In how many of an island's first iterations that is done: later, a contact in a crease or a mesh's notch could alternate
+/// between faces for ever. The search at the end of the step finds what goes undetected in this way.
+pub(super) const LOOKS: u32 = 6;
+/// The largest increase of a normal's component along the strand.
+const ALONG: f64 = 0.1;
+
+/// Depth of overlap left, m.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Left {
+    /// The largest.
+    pub deep: f64,
+    /// The largest of overlaps that were not there when the step began.
+    pub newly: f64,
+}
+
+/// How far an island's iteration has come.
+#[derive(Debug, Clone)]
+pub struct Progress {
+    /// The last contact problem's report.
+    pub report: Report,
+    /// Newton iterations so far.
+    pub iterations: u32,
+    /// How the iteration ended, or its present state.
+    pub ending: Ending,
+    /// Its forces have grown beyond measure.
+    pub beyond: bool,
+    /// How often its strands were bent, see `kink.rs`.
+    pub kinked: u32,
+    /// How often its constraints were relaxed.
+    pub relaxings: u32,
+    /// How far from convergence a strand may be to rest, rad.
+    pub rest: f64,
+    /// The least residual so far, in units of the tolerance, and the iteration in which it was halved.
+    best: (f64, u32),
+    /// The same for the number of unconverged strands and constraints.
+    fewest: (usize, u32),
+    /// Iterations in a row without progress, see [`IDLE`].
+    idle: u32,
+    /// The depth of the deepest yielding contact at the last push, m, and the number of pushes.
+    pub(super) pushed: (f64, u32),
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Self {
+            report: Report::default(),
+            iterations: 0,
+            ending: Ending::default(),
+            beyond: false,
+            kinked: 0,
+            relaxings: 0,
+            rest: -1.0,
+            best: (f64::INFINITY, 0),
+            fewest: (usize::MAX, 0),
+            idle: 0,
+            pushed: (f64::INFINITY, 0),
+        }
+    }
+}
+
+/// Coupled strands.
+#[derive(Debug, Default)]
+pub struct Island {
+    /// Indices among the constrained strands, ascending.
+    pub strands: Vec<u32>,
+    /// Their constraints.
+    pub constraints: Vec<StepConstraint>,
+    /// How far its iteration has come.
+    pub progress: Progress,
+    /// The limit of its next contact problem's cost, nanoseconds or so.
+    pub max_work: u64,
+    /// Sweeps so far.
+    pub sweeps: u32,
+    /// Whether it iterates apart from the others.
+    pub is_solitary: bool,
+    /// Newton iterations until the next search for contacts, at most.
+    pub iterations_left: u32,
+    /// It is solved roughly until its contacts are known: [`Island::refine`] goes on to the full tolerance.
+    pub rough: bool,
+    /// Its iteration has ended.
+    pub done: bool,
+    /// Depth of overlap left, as far as it was searched for.
+    pub left: Left,
+    /// Its strands take the substep in substeps: their present end is dropped.
+    pub is_subdivided: bool,
+    /// Whether rigid constraints couple strands to the world in this iteration.
+    pub constrained_to_world: bool,
+    /// Whether strands may rest. Not with bilateral constraints, which hold to the last digit, nor in small islands, whose
+    /// strands converge sooner together.
+    pub may_rest: bool,
+    /// The residual that its constraints may have then.
+    pub rest_residual: f64,
+    pub(super) ends: Vec<[End; 2]>,
+    /// The constraints in the present contact problem: those with a moving strand at one end.
+    pub(super) included: Vec<u32>,
+    pub(super) is_included: Vec<bool>,
+    /// Whether a strand has such constraints.
+    pub(super) strand_is_included: Vec<bool>,
+}
+
+impl Island {
+    /// Empties it.
+    pub fn clear(&mut self) {
+        self.strands.clear();
+        self.constraints.clear();
+        (self.sweeps, self.done, self.rough, self.progress) = (0, false, false, Progress::default());
+        (self.left, self.is_subdivided) = (Left::default(), false);
+    }
+
+    /// How far it has come, if it goes on and has a single strand. (All islands are formed again when new contacts are found; one
+    /// without any goes on from there. Strands that wait for others begin again with these.)
+    pub fn unfinished(&self) -> Option<Progress> {
+        (!self.done && self.strands.len() == 1).then(|| self.progress.clone())
+    }
+
+    /// Goes on from there, but looks at bodies' surfaces as often as a new one ([`LOOKS`]).
+    pub fn resume(&mut self, progress: Progress) {
+        let iterations = progress.iterations.min(1);
+        let counted = |iteration: u32| iteration.saturating_sub(progress.iterations - iterations);
+        let (best, fewest) = ((progress.best.0, counted(progress.best.1)), (progress.fewest.0, counted(progress.fewest.1)));
+        self.progress = Progress { iterations, best, fewest, ..progress };
+    }
+
+    /// Progress is counted from this iteration on.
+    pub(super) fn begin_to_count(&mut self, iteration: u32) {
+        (self.progress.best, self.progress.fewest, self.progress.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
+    }
+
+    /// Goes on from a rough solve. True if there is more to do.
+    pub fn refine(&mut self) -> bool {
+        let goes_on = self.rough && self.progress.ending.outcome >= Outcome::AttemptConverged;
+        if goes_on {
+            // Strands rested by the rough tolerance.
+            (self.done, self.progress.rest) = (false, -1.0);
+            self.progress.ending.lower_to(Outcome::GoodEnough);
+            self.begin_to_count(self.progress.iterations);
+        }
+        self.rough = false;
+        goes_on
+    }
+
+    /// The tolerance of the contact laws.
+    pub(super) fn asked(&self, options: &ContactOptions) -> f64 {
+        let size = self.progress.report.size.max(1.0);
+        let in_the_end = match options.model {
+            ContactModel::Coulomb => options.residual,
+            ContactModel::Penalty | ContactModel::RegularisedPenalty | ContactModel::AtPoints => SOFT * size,
+        };
+        if self.rough { in_the_end.max(ROUGH * size) } else { in_the_end }
+    }
+
+    /// Finds the points of every constraint in its strands' sorted attachments.
+    pub fn find_ends(&mut self, strands: &(impl Strands + ?Sized)) {
+        self.ends.clear();
+        self.ends.resize(self.constraints.len(), [End { strand: 0, point: 0 }; 2]);
+        for (local, strand) in self.strands.iter().enumerate() {
+            for (point, attachment) in strands[*strand as usize].attachments.iter().enumerate() {
+                self.ends[attachment.constraint as usize][usize::from(attachment.second)] =
+                    End { strand: local as u32, point: point as u32 };
+            }
+        }
+    }
+
+    /// Whether one of its strands has diverged after all attempts: only strands that are unconverged themselves, which may free
+    /// the others; all if not even one iteration was possible.
+    pub fn has_diverged(&self, strand: &ConstrainedStrand) -> bool {
+        let all = self.progress.iterations <= 1;
+        self.is_diverged() && (all || strand.residual > DIVERGED || strand.residual.is_nan())
+    }
+
+    /// Whether a strand ends in or beyond a body that it was outside of when the step began.
+    pub fn is_behind(&self, strand: &ConstrainedStrand) -> bool {
+        let constraint = |end: &Attachment| &self.constraints[end.constraint as usize];
+        strand.attachments.iter().map(constraint).any(|constraint| constraint.is_behind(constraint.gap))
+    }
+
+    /// Whether surfaces press each other at some contact.
+    pub fn presses(&self) -> bool {
+        self.constraints.iter().any(StepConstraint::presses)
+    }
+
+    /// Whether it has contacts.
+    pub fn has_contacts(&self) -> bool {
+        self.constraints.iter().any(StepConstraint::is_contact)
+    }
+
+    /// After the first half of an iteration: adds the strands to `pressed` that would run into their partner without forces.
+    pub fn about_to_press(&mut self, strands: &(impl Strands + ?Sized), pressed: &mut Vec<u32>) {
+        self.find_ends(strands);
+        for (constraint, [first, second]) in self.constraints.iter().zip(&self.ends) {
+            let (ConstraintKind::Body { normal, .. } | ConstraintKind::Hair { normal, .. }) = constraint.kind else { continue };
+            let displacement = |end: &End| strands[self.strands[end.strand as usize] as usize].unconstrained(end.point);
+            let displacement = displacement(first) - constraint.second.map_or(Vector3::zeros(), |_| displacement(second));
+            if constraint.gap + normal.dot(&displacement) < 0.0 {
+                pressed.extend(constraint.ends().map(|end| end.strand));
+            }
+        }
+    }
+
+    /// Has it solved roughly first, if it has contacts and is large.
+    pub fn begin_roughly(&mut self) {
+        self.rough = self.strands.len() > FEW && self.has_contacts();
+    }
+
+    /// Whether the constraints at these ends hold without yielding.
+    pub fn holds(&self, ends: &[Attachment]) -> bool {
+        let holds = |end: &Attachment| {
+            let constraint = &self.constraints[end.constraint as usize];
+            constraint.standing.holds && constraint.give == Give::No
+        };
+        ends.iter().all(holds)
+    }
+
+    /// Before an iteration: moves rings to where the strands run through them, and updates bodies' surfaces at their contacts.
+    pub fn refresh(&mut self, strands: &(impl Strands + ?Sized), bodies: &[BodyAt]) {
+        self.constrained_to_world = false;
+        self.may_rest = self.strands.len() > FEW && !self.has_bilateral();
+        for constraint in &mut self.constraints {
+            let strand = &strands[constraint.first.strand as usize];
+            self.constrained_to_world |=
+                constraint.give == Give::No && matches!(constraint.kind, ConstraintKind::Pin { compliance: 0.0, .. });
+            if strand.resting || constraint.is_dormant() || constraint.in_crease {
+                continue;
+            }
+            match &mut constraint.kind {
+                ConstraintKind::Ring { target, .. } => {
+                    let MaterialPoint { element, s, .. } = constraint.first.material_point;
+                    let (element, s) = nearest(&strand.path().now, element, s, *target);
+                    constraint.first.material_point = MaterialPoint::on(element, s);
+                }
+                ConstraintKind::Body { body, feature, normal, side, point, carried, .. } if self.progress.iterations < LOOKS => {
+                    let (body, at) = (strand.met(bodies, *body), strand.end_state(&constraint.first.material_point));
+                    if let Some(surface) = body.closest_at_end(at.now, LOOK) {
+                        let new = body.to_world(&surface.normal);
+                        // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the
+                        // strand lies across.
+                        let along = |normal: &Vector3<f64>| normal.dot(&at.tangent).abs();
+                        if new.dot(side) > SAME_SIDE && along(&new) < along(normal) + ALONG {
+                            (*normal, *point) = (new, body.surface_at_end(&surface));
+                            (*feature, *carried) = (surface.feature, body.carried(&surface));
+                        }
+                    }
+                }
+                ConstraintKind::Body { .. }
+                | ConstraintKind::Hair { .. }
+                | ConstraintKind::Pin { .. }
+                | ConstraintKind::Tie { .. } => {}
+            }
+        }
+    }
+
+    pub(super) fn evaluate(
+        &mut self,
+        constraint: usize,
+        strands: &(impl Strands + ?Sized),
+        options: &ContactOptions,
+        step: f64,
+    ) -> (Law, Vector3<f64>) {
+        let ends = &self.ends[constraint];
+        let constraint = &mut self.constraints[constraint];
+        let relaxed = constraint.give == Give::Much;
+        let first = &strands[constraint.first.strand as usize];
+        let second = constraint.second.map_or(first, |end| &strands[end.strand as usize]);
+        let a = first.place(ends[0].point);
+        let b = constraint.second.map_or(a, |_| second.place(ends[1].point));
+        let (mut law, mut u) = constraint.evaluate([a, b], [&first.contact, &second.contact], options, step);
+        if relaxed || constraint.deep || constraint.give == Give::ALittle {
+            let part = if relaxed || constraint.deep { RELAXED } else { YIELDS };
+            let compliance = part * step * step / first.mass.min(second.mass);
+            match &mut law {
+                Law::Bilateral(bilateral) => bilateral.compliance = bilateral.compliance.max(compliance),
+                Law::Ring(ring) => ring.friction = Coefficient::uniform(0.0),
+                Law::Contact(contact) => {
+                    // A groom may be drawn with a strand between two surfaces that both push it into the other: no force
+                    // separates these.
+                    let most = 1.0 / compliance;
+                    match &mut contact.response {
+                        Response::Hard => {
+                            contact.response = Response::Penalty { stiffness: most, damping: 0.0, depth_at_start: 0.0 };
+                        }
+                        Response::Penalty { stiffness, .. } | Response::Regularised { stiffness, .. } => {
+                            *stiffness = stiffness.min(most);
+                        }
+                    }
+                    if constraint.give != Give::No {
+                        contact.friction = Friction::None;
+                    }
+                    constraint.off = -u.dot(&contact.normal);
+                    u -= contact.normal * constraint.pushed;
+                }
+            }
+        }
+        (law, u)
+    }
+
+    /// How far the resting strands at a constraint's ends would be moved by the present forces, in units of an element's
+    /// length.
+    fn pushes_resting(&self, index: usize, strands: &(impl Strands + ?Sized)) -> [f64; 2] {
+        let ends = if self.constraints[index].second.is_some() { 2 } else { 1 };
+        let mut motions = [0.0; 2];
+        for (moved, end) in motions.iter_mut().zip(&self.ends[index][..ends]) {
+            let strand = &strands[self.strands[end.strand as usize] as usize];
+            if strand.resting {
+                let motion = strand
+                    .resting_displacement(end.point, &self.is_included, |constraint| self.constraints[constraint].force)
+                    .norm();
+                *moved = if motion.is_nan() { f64::INFINITY } else { motion / strand.mean_element() };
+            }
+        }
+        motions
+    }
+
+    /// Whether it has bilateral constraints.
+    pub fn has_bilateral(&self) -> bool {
+        !self.constraints.iter().all(StepConstraint::is_contact)
+    }
+
+    /// The force that bends an element of the stiffest strand by about a radian, N.
+    fn bending_force(&self, strands: &(impl Strands + ?Sized)) -> f64 {
+        self.strands.iter().map(|strand| strands[*strand as usize].bending).fold(0.0, f64::max)
+    }
+
+    /// The largest [`ConstrainedStrand::usual_force`] of its strands, N.
+    pub(super) fn usual_force(&self, strands: &(impl Strands + ?Sized), step: f64) -> f64 {
+        self.strands.iter().map(|strand| strands[*strand as usize].usual_force(step)).fold(0.0, f64::max)
+    }
+
+    /// After the second half: tests for convergence, by the strands' residuals and those of the laws at the new iterate.
+    pub fn check(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, tolerance: f64, step: f64) {
+        let soft = options.model.is_soft();
+        let enough_for_contacts = match () {
+            () if !self.has_contacts() => 0.0,
+            () if options.model.is_soft() => SOFT_TOLERANCE,
+            () if self.rough => ROUGH_TOLERANCE,
+            () => 0.0,
+        };
+        let tolerance_asked = tolerance;
+        let tolerance = tolerance.max(enough_for_contacts);
+        let residual = self.strands.iter().map(|strand| strands[*strand as usize].residual).fold(0.0, f64::max);
+        let mut good = residual <= tolerance;
+        let mut enough = residual <= ENOUGH_TURN;
+        let (mut rested, mut wakes_some) = (0.0_f64, false);
+        let asked = self.asked(options);
+        (self.progress.rest, self.rest_residual) = (REST * tolerance, asked);
+        self.progress.ending.residual = 0.0;
+        for index in 0..self.constraints.len() {
+            if !self.is_included[index] {
+                if self.constraints[index].is_dormant() {
+                    self.rouse(index, strands, options, step);
+                }
+                let Standing { law_residual, holds, nearly, .. } = self.constraints[index].standing;
+                (good, enough) = (good && holds, enough && nearly);
+                rested = rested.max(law_residual);
+                continue;
+            }
+            let before = self.constraints[index].gap;
+            let (law, u) = self.evaluate(index, strands, options, step);
+            let constraint = &self.constraints[index];
+            let moved = (constraint.gap - before).abs();
+            let law_residual = self.progress.report.law_residual(&law, u, constraint.force, step);
+            self.progress.ending.residual = self.progress.ending.residual.max(law_residual);
+            let (holds, nearly) = match law {
+                Law::Bilateral(bilateral) => {
+                    let off = bilateral.directions().map(|d| (d.dot(&u) + bilateral.compliance * d.dot(&constraint.force)).abs());
+                    let off = off.fold(0.0, f64::max);
+                    (off <= BILATERAL_TOLERANCE, off <= ENOUGH_BILATERAL)
+                }
+                Law::Ring(_) => (constraint.gap <= BILATERAL_TOLERANCE, constraint.gap <= ENOUGH_BILATERAL),
+                Law::Contact(contact) => {
+                    let gap = if soft || constraint.deep || constraint.give != Give::No { 0.0 } else { u.dot(&contact.normal) };
+                    let exact = soft || constraint.give == Give::Much || law_residual <= asked;
+                    let outside = self.rough || is_outside(gap, options);
+                    (outside && exact, is_nearly_outside(gap, options))
+                }
+            };
+            // (A constraint that does not hold may wait for any displacement of its resting strand, however small.)
+            let motions = self.pushes_resting(index, strands);
+            let wakes = motions.map(|motion| motion > if holds { REST * tolerance } else { 0.0 });
+            // A resting strand that moves by no more than this stays within the tolerance.
+            let waits = motions.iter().any(|motion| *motion > (1.0 - REST) * tolerance);
+            self.constraints[index].standing = Standing { law_residual, holds, nearly, wakes };
+            self.constraints[index].may_sleep(&law, &u, moved);
+            (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
+        }
+        let left = (residual / tolerance).max(self.progress.ending.residual / ROUGH);
+        if left < 0.5 * self.progress.best.0 {
+            self.progress.best = (left, self.progress.iterations);
+        }
+        let open = self.strands.iter().filter(|strand| strands[**strand as usize].residual > tolerance).count()
+            + self
+                .constraints
+                .iter()
+                .filter(|constraint| !constraint.standing.holds || constraint.standing.wakes != [false; 2])
+                .count();
+        if open < self.progress.fewest.0.div_ceil(2) {
+            self.progress.fewest = (open, self.progress.iterations);
+        }
+        // Resting constraints are reported as well, but nothing waits for them.
+        self.progress.ending.residual = self.progress.ending.residual.max(rested);
+        let largest = |contacts: bool| {
+            let of = self
+                .constraints
+                .iter()
+                .filter(|constraint| constraint.is_contact() == contacts)
+                .map(|constraint| constraint.force.norm());
+            of.fold(0.0, f64::max)
+        };
+        let usual = self.usual_force(strands, step);
+        self.progress.beyond = largest(true) > NO_SOLUTION * usual
+            || self.has_bilateral() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
+        let idle = !options.model.is_soft()
+            && (residual <= STILL * tolerance_asked || self.progress.report.residual > HOPELESS * self.progress.report.size);
+        self.progress.idle = if idle { self.progress.idle + 1 } else { 0 };
+        // Bilateral constraints may turn a strand right round, a little in every iteration. An island that waits only for
+        // resting strands makes progress: these are woken twice at most.
+        let waits_only = good && wakes_some;
+        let got_on = self.progress.best.1.max(self.progress.fewest.1);
+        let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
+        let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
+        let slow = !waits_only && !self.has_bilateral() && self.progress.iterations >= got_on + patience;
+        let stuck = slow || self.progress.beyond || self.has_bilateral() && self.progress.idle > IDLE;
+        let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
+        // One contact slightly beyond the rough tolerance says nothing about the end.
+        let good = good && !wakes_some || self.rough && slow && enough;
+        let good = good && !self.push_on(strands, options, step);
+        // The host chose to pay for this many iterations.
+        let chosen = options.model.is_soft()
+            && options.max_iterations <= MAX_CHOSEN_ITERATIONS
+            && self.progress.iterations >= options.max_iterations;
+        self.done = good || diverged || stuck || self.progress.iterations >= options.max_iterations;
+        let is_far = |strand: &u32| strands[*strand as usize].residual > DIVERGED;
+        // An island with yielding constraints has not converged, whatever its residual.
+        self.progress.ending.outcome = match () {
+            () if (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No) => Outcome::Converged,
+            () if good => Outcome::AttemptConverged,
+            () if self.done && (enough || chosen) => Outcome::GoodEnough,
+            () if self.done && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
+            () => Outcome::Unconverged,
+        };
+    }
+}
+
+/// Whether the gap of a contact is within the tolerance of a converged step.
+pub(super) fn is_outside(gap: f64, options: &ContactOptions) -> bool {
+    gap >= -0.5 * options.tolerance
+}
+
+/// The same for an island that makes no progress.
+pub(super) fn is_nearly_outside(gap: f64, options: &ContactOptions) -> bool {
+    gap >= -ENOUGH_DEPTH * options.tolerance
+}

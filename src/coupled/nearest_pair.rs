@@ -1,0 +1,57 @@
+//! The depth of contacts between strands, from the points where the strands are nearest.
+
+use super::constrained_strand::ConstrainedStrand;
+use crate::contact::constraint::step_constraint::{ConstraintKind, StepConstraint};
+use crate::contact::contact_point::StrandCurve;
+use crate::contact::narrow_phase::helix_distance::{Arc, closest};
+
+/// The largest number of moves from element to element.
+const MAX_HOPS: usize = 8;
+
+/// The depth of a contact, m; zero or below if the surfaces are apart. A contact between strands keeps the points and the
+/// normal that the search found, which have slid apart by the end of a step: a depth of more than `tolerance` is therefore
+/// measured between the nearest points of the strands near these. Points that have come to the other side have that depth.
+pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], tolerance: f64) -> f64 {
+    let depth = -constraint.gap;
+    let (ConstraintKind::Hair { margin, .. }, Some(second)) = (constraint.kind, constraint.second) else { return depth };
+    if depth <= tolerance || depth >= margin {
+        return depth;
+    }
+    let ends = [constraint.first, second];
+    let strands = ends.map(|end| &strands[end.strand as usize]);
+    let curves = strands.map(|strand| strand.path().now);
+    let exempt = strands.map(|strand| strand.contact.exempt_length);
+    margin - nearest_distance(curves, exempt, ends.map(|end| (end.material_point.element, end.material_point.s)))
+}
+
+/// The least distance of two curves beyond the lengths that are `exempt` at their roots (m), near these two points (element,
+/// arclength in it, m). Ends count.
+fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(usize, f64); 2]) -> f64 {
+    let mut hops = 0;
+    loop {
+        let arcs = [0, 1].map(|k| {
+            let (curve, element) = (curves[k], places[k].0);
+            let length = curve.elements[element].length;
+            let begin = exempt[k] - curve.along(element, 0.0);
+            Arc { curve, element, s: [begin.clamp(0.0, length), length] }
+        });
+        let pair = closest(&arcs[0], &arcs[1], places.map(|place| place.1), [false; 2]);
+        let found = [0, 1].map(|k| (arcs[k].element, pair.s[k]));
+        // Where the distance still falls at the end of an arc, the next arc follows.
+        places = [0, 1].map(|k| {
+            let (element, s) = found[k];
+            let elements = curves[k].elements;
+            if s >= arcs[k].s[1] && pair.slope[k] < 0.0 && element + 1 < elements.len() {
+                (element + 1, 0.0)
+            } else if s <= 0.0 && arcs[k].s[0] == 0.0 && pair.slope[k] > 0.0 && element > 0 {
+                (element - 1, elements[element - 1].length)
+            } else {
+                (element, s)
+            }
+        });
+        hops += 1;
+        if places == found || hops == MAX_HOPS {
+            return pair.apart.norm();
+        }
+    }
+}
