@@ -60,6 +60,27 @@ def scaling():
                 "µs per contact found"), lines), "scaling", "notebook/contact.md")
 
 
+def walk():
+    free = {}
+    lines = []
+    for row in rows("contact_walk.csv"):
+        median, crowd = float(row["median_ms"]), (row["guides"], row["precision"])
+        free.setdefault(crowd, median)
+        touches = not row["case"].startswith("free")
+        lines.append((row["case"], row["guides"], row["elements"], row["precision"].lower(), row["median_ms"], f"{median / free[crowd]:.1f}", row["ninth_decile_ms"],
+                      row["worst_ms"], *(f"{100 * float(row[key]):.2f}" if touches else "" for key in ("deeper_than_half_mm", "deeper_than_2_mm"))))
+    show(table(("model", "guides", "elements", "precision", "ms per step, median", "over the free step", "nine of ten", "worst", "% of strands somewhere deeper than 0.5 mm",
+                "than 2 mm"), lines), "walk", "notebook/contact.md")
+
+
+def strands():
+    lines = []
+    for row in rows("contact_strands.csv"):
+        one, two = float(row["one_thread_ms"]), float(row["two_threads_ms"])
+        lines.append((row["case"], row["guides"], row["one_thread_ms"], f"{1e3 * one / int(row['guides']):.1f}", row["two_threads_ms"], f"{one / two:.2f}"))
+    show(table(("model", "guides", "ms per step, one thread", "µs per strand", "two threads", "faster by"), lines), "strands", "notebook/contact.md")
+
+
 def jumps():
     lines = [(row["model"], row["what"], row["budget_ms"] if float(row["budget_ms"]) else "none", row["calm_ms"], row["dearest_ms"], row["p999_ms"],
               row["left"], row["lost_after"], row["deepest_after_m"])
@@ -74,3 +95,5 @@ if __name__ == "__main__":
     price()
     rest()
     scaling()
+    walk()
+    strands()

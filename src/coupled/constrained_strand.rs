@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::ending::Ending;
+use super::island::ending::Ending;
 use super::island::{Island, Progress};
 use crate::chain::load::MaterialPoint;
 use crate::contact::body::BodyAt;

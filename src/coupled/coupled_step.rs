@@ -4,7 +4,7 @@
 use super::constrained_strand::{Attachment, ConstrainedStrand};
 use super::detection::{ContactDetection, ContactMemory};
 use super::island::Island;
-use super::island_problem::ProblemScratch;
+use super::island::problem::ProblemScratch;
 use super::packs::{Packs, Work};
 use super::solitary::Member;
 use crate::contact::body::BodyAt;

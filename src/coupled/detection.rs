@@ -5,13 +5,19 @@
 //!
 //! - `memory.rs`: The contacts kept from substep to substep, saved and restored for snapshots.
 //! - `permitted_overlaps.rs`: Contacts of strands with permitted overlaps: their surfaces are nearer to their centrelines there.
+//! - `undetected.rs`: Contacts that a search between iterations finds and no constraint represents: they are added to the islands' constraints.
+//! - `warm_start.rs`: The warm start: the forces of the last substep's contacts, with which the next one begins.
 
 mod memory;
 mod permitted_overlaps;
+mod undetected;
+mod warm_start;
 
 use nalgebra::Vector3;
 
 pub(crate) use memory::{ContactMemory, NearStrands};
+use undetected::KnownOf;
+pub(crate) use warm_start::{WarmStartForce, With};
 
 use super::constrained_strand::{ConstrainedStrand, Meets};
 use super::coupled_step::{Scratch, Stepping};
@@ -20,8 +26,7 @@ use super::nearest_pair::depth;
 use crate::chain::load::MaterialPoint;
 use crate::contact::broad_phase::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::broad_phase::pieces::Wisp;
-use crate::contact::constraint::law::Law;
-use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, Give, SAME_SIDE, StepConstraint};
+use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use crate::contact::narrow_phase::strand_contacts::PairScratch;
 use crate::contact::options::{ContactOptions, GRAVITY};
@@ -40,36 +45,8 @@ const DEEP: f64 = 2.0;
 const DEEPEST: f64 = 0.1;
 /// A strand that has moved by less than this fraction of the contact tolerance since its last search is not searched again.
 const UNSEEN: f64 = 0.1;
-/// An undetected contact is a known one, seen from where the strands are now, if it is no further from it along the strand than
-/// this fraction of the distance that the surfaces keep between their centres. Side by side the two would be one force in two
-/// places, which no solve can tell apart.
-const SAME_PLACE: f64 = 0.5;
-/// A strand whose element is further from convergence than this, rad, while its iteration goes on, and that has more new
-/// contacts than this, is not near its final place.
-const WILD: f64 = 1.0;
-const CROWD: usize = 20;
 /// A solve leaves no larger spurious force than this many times its residual in units of the strand's weight.
 const LEFT_OVER: f64 = 2.0;
-/// A contact continues one of the last step if it is no further from it along the strand than this fraction of the strand's
-/// length.
-const SAME: f64 = 0.02;
-
-/// The partner of a contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum With {
-    Body(u32),
-    Strand(u32),
-}
-
-/// The force of a contact in the last substep.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct WarmStartForce {
-    pub strand: u32,
-    pub with: With,
-    pub along: f64,
-    pub force: Vector3<f64>,
-}
-
 /// Cost of the search of an element near bodies, and of a pair of pieces of strands, nanoseconds or so.
 const WORK_AN_ELEMENT: u64 = 1000;
 const WORK_A_CANDIDATE: u64 = 1000;
@@ -320,158 +297,6 @@ impl ContactDetection {
         }
     }
 
-    /// The force of this contact in the last substep.
-    fn warm_start_force(&self, strand: u32, with: With, along: f64, length: f64) -> Vector3<f64> {
-        let from = self.warm_start.partition_point(|seen| (seen.strand, seen.with) < (strand, with));
-        let mut best = (SAME * length, Vector3::zeros());
-        for seen in self.warm_start[from..].iter().take_while(|seen| (seen.strand, seen.with) == (strand, with)) {
-            let off = (seen.along - along).abs();
-            if off <= best.0 {
-                best = (off, seen.force);
-            }
-        }
-        best.1
-    }
-
-    /// Of the contacts found last: overlaps at the present iterate that no constraint represents. `None` if the meter has
-    /// halted it: strands with contacts still count as moved.
-    fn undetected<S>(
-        &mut self,
-        stepping: &Stepping<S>,
-        strands: &mut [ConstrainedStrand],
-        islands: &[Island],
-    ) -> Option<Vec<StepConstraint>> {
-        let (mut undetected, mut left_deep, mut halted) =
-            (std::mem::take(&mut self.undetected), std::mem::take(&mut self.left_deep), false);
-        undetected.clear();
-        for (index, (constrained, contact)) in self.found(strands).enumerate() {
-            halted = stepping.meter.is_halted_at(index);
-            if halted {
-                break;
-            }
-            if contact.gap >= -stepping.options.tolerance || islands[strands[constrained as usize].island as usize].is_given_up()
-            {
-                continue;
-            }
-            let mut constraint = self.constraint(stepping, strands, constrained, contact);
-            if constraint.deep {
-                // It yields: its depth means nothing, but is reported.
-                left_deep.extend(constraint.ends());
-                continue;
-            }
-            let first = &strands[constrained as usize];
-            let a = first.end_state(&constraint.first.material_point);
-            let other = constraint.second.map(|end| (&strands[end.strand as usize], end.material_point));
-            let (b, contact) = other
-                .map_or((a, &first.contact), |(strand, material_point)| (strand.end_state(&material_point), &strand.contact));
-            let (law, u) = constraint.evaluate([a, b], [&first.contact, contact], stepping.options, stepping.h);
-            let overlaps = matches!(law, Law::Contact(law) if law.normal.dot(&u) < -stepping.options.tolerance);
-            if overlaps && !is_reported(&constraint, strands, islands, stepping.options.tolerance) {
-                undetected.push(constraint);
-            }
-        }
-        for end in left_deep.drain(..) {
-            strands[end.strand as usize].left_deep = true;
-        }
-        self.left_deep = left_deep;
-        if halted {
-            let with_contacts: Vec<u32> = self.found(strands).map(|(constrained, _)| constrained).collect();
-            with_contacts.iter().for_each(|constrained| strands[*constrained as usize].step.gone = f64::INFINITY);
-        }
-        (!halted).then_some(undetected)
-    }
-
-    /// Marks strands and islands with contacts that no constraint represents, after the last search. False if the meter has
-    /// halted it.
-    pub fn report_undetected<S>(
-        &mut self,
-        stepping: &Stepping<S>,
-        strands: &mut [ConstrainedStrand],
-        islands: &mut [Island],
-    ) -> bool {
-        let undetected = self.undetected(stepping, strands, islands);
-        for end in undetected.iter().flatten().flat_map(StepConstraint::ends) {
-            let strand = &mut strands[end.strand as usize];
-            strand.has_undetected = true;
-            islands[strand.island as usize].progress.ending.doubt();
-        }
-        let whole = undetected.is_some();
-        self.undetected = undetected.unwrap_or_default();
-        whole
-    }
-
-    /// Adds the undetected contacts of the last search to the islands' constraints: true if there are any. All constraints are
-    /// then in `constraints`, from which islands are formed again.
-    pub fn add_undetected<S>(
-        &mut self,
-        stepping: &Stepping<S>,
-        strands: &mut [ConstrainedStrand],
-        islands: &mut [Island],
-        constraints: &mut Vec<StepConstraint>,
-    ) -> bool {
-        constraints.clear();
-        let Some(mut undetected) = self.undetected(stepping, strands, islands) else {
-            return false;
-        };
-        leave_wild_ones(&mut undetected, strands, islands);
-        if undetected.is_empty() {
-            self.undetected = undetected;
-            return false;
-        }
-        for constrained in strands.iter_mut() {
-            let island = &islands[constrained.island as usize];
-            (constrained.ended, constrained.progress) = (island.ended(), island.unfinished());
-            constrained.resting |= constrained.ended.is_some_and(|ending| ending.is_converged());
-        }
-        for end in undetected.iter().flat_map(StepConstraint::ends) {
-            let strand = &mut strands[end.strand as usize];
-            (strand.ended, strand.progress) = (None, None);
-        }
-        // Attachments are made again; the models of resting strands are not.
-        for constrained in &*strands {
-            let constraints = &mut islands[constrained.island as usize].constraints;
-            for end in &constrained.attachments {
-                constraints[end.constraint as usize].modelled[usize::from(end.second)] = end.modelled;
-            }
-        }
-        for island in islands.iter_mut() {
-            constraints.append(&mut island.constraints);
-        }
-        let known_of = &mut self.known_of;
-        known_of.reset(strands.len());
-        for constraint in undetected.drain(..) {
-            known_of.take_in(constraints);
-            let (mut give, mut nearest) = (Give::No, None);
-            let known = known_of.strand(constraint.first.strand).map(|index| (index, &constraints[index]));
-            for (index, known) in known.filter(|(_, known)| known.is_with(&constraint)) {
-                // A yielding pair of surfaces yields everywhere.
-                give = give.max(known.give);
-                let apart = apart(known, &constraint, strands);
-                let turned = known.turned(&constraint);
-                let same = !known.deep && turned < 1.0 - SAME_SIDE && apart <= SAME_PLACE * constraint.margin();
-                // A point in a crease has two contacts.
-                let unlike = apart + turned * constraint.margin();
-                if same && nearest.is_none_or(|(_, least)| unlike <= least) {
-                    nearest = Some((index, unlike));
-                }
-            }
-            // A known contact moves to its deepest point; any other is new, also beside a yielding one.
-            let constraint = StepConstraint { give, ..constraint };
-            match nearest {
-                Some((known, _)) if constraints[known].has_left(&constraint) => {
-                    constraints.push(StepConstraint { in_crease: true, ..constraint })
-                }
-                Some((known, _)) => {
-                    let StepConstraint { force, in_crease, .. } = constraints[known];
-                    constraints[known] = StepConstraint { force, in_crease, ..constraint };
-                }
-                None => constraints.push(constraint),
-            }
-        }
-        self.undetected = undetected;
-        true
-    }
-
     /// Stores the depths found by the last search in the islands; with `step` also those caused by the step, and which strands
     /// are in or behind a body.
     pub fn report_depths<S>(
@@ -511,98 +336,6 @@ impl ContactDetection {
             .enumerate()
             .flat_map(|(k, constrained)| constrained.found.iter().map(move |contact| (k as u32, contact)));
         bodies.chain(self.hair.iter().map(|contact| (contact.point.strand, contact)))
-    }
-
-    /// Stores the contacts' forces as the warm start of the next substep.
-    pub fn store_warm_start<'a>(&mut self, islands: impl Iterator<Item = &'a Island>, strands: &[ConstrainedStrand]) {
-        self.warm_start.clear();
-        for constraint in islands.flat_map(|island| &island.constraints).filter(|constraint| constraint.force != Vector3::zeros())
-        {
-            let with = match (constraint.kind, constraint.second) {
-                (ConstraintKind::Body { body, .. }, _) => With::Body(body),
-                (ConstraintKind::Hair { .. }, Some(second)) => With::Strand(strands[second.strand as usize].index),
-                _ => continue,
-            };
-            let strand = &strands[constraint.first.strand as usize];
-            let along = strand.along(&constraint.first.material_point);
-            self.warm_start.push(WarmStartForce { strand: strand.index, with, along, force: constraint.force });
-        }
-        self.sort_warm_start();
-    }
-
-    fn sort_warm_start(&mut self) {
-        self.warm_start.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
-    }
-
-    /// Adds the forces of strands that took the substep in substeps.
-    pub fn keep_warm_start_of(&mut self, substeps: &Self) {
-        self.warm_start.extend_from_slice(&substeps.warm_start);
-        self.sort_warm_start();
-    }
-}
-
-/// Removes the new contacts of strands that are far from convergence and overlap many others there: their real contacts are
-/// visible when they have come nearer to it. (Thousands of such contacts would hold the strands of a tangle.)
-fn leave_wild_ones(undetected: &mut Vec<StepConstraint>, strands: &[ConstrainedStrand], islands: &[Island]) {
-    let is_wild = |constrained: u32| {
-        strands[constrained as usize].residual > WILD && !islands[strands[constrained as usize].island as usize].done
-    };
-    let mut ends: Vec<u32> = undetected
-        .iter()
-        .flat_map(StepConstraint::ends)
-        .map(|end| end.strand)
-        .filter(|constrained| is_wild(*constrained))
-        .collect();
-    ends.sort_unstable();
-    let wild: Vec<u32> = ends.chunk_by(|a, b| a == b).filter(|ends| ends.len() > CROWD).map(|ends| ends[0]).collect();
-    undetected.retain(|constraint| !constraint.ends().any(|end| wild.binary_search(&end.strand).is_ok()));
-}
-
-/// The constraints of which a strand is the first end, the last first.
-#[derive(Debug, Default)]
-struct KnownOf {
-    last: Vec<Option<usize>>,
-    before: Vec<Option<usize>>,
-}
-
-impl KnownOf {
-    /// For this number of strands, without constraints.
-    fn reset(&mut self, strands: usize) {
-        self.last.clear();
-        self.last.resize(strands, None);
-        self.before.clear();
-    }
-
-    /// Adds the new entries of a list of constraints.
-    fn take_in(&mut self, constraints: &[StepConstraint]) {
-        for (index, constraint) in constraints.iter().enumerate().skip(self.before.len()) {
-            self.before.push(self.last[constraint.first.strand as usize].replace(index));
-        }
-    }
-
-    fn strand(&self, constrained: u32) -> impl Iterator<Item = usize> {
-        std::iter::successors(self.last[constrained as usize], |index| self.before[*index])
-    }
-}
-
-/// Whether an existing constraint already represents the overlap of this contact: it is as deep elsewhere, and yields or is
-/// beside it.
-fn is_reported(constraint: &StepConstraint, strands: &[ConstrainedStrand], islands: &[Island], tolerance: f64) -> bool {
-    let strand = &strands[constraint.first.strand as usize];
-    let known = strand.attachments.iter().map(|end| &islands[strand.island as usize].constraints[end.constraint as usize]);
-    let beside = |known: &StepConstraint| apart(known, constraint, strands) <= SAME_PLACE * constraint.margin();
-    let mut as_deep = known.filter(|known| known.is_with(constraint) && !known.deep && known.gap <= constraint.gap + tolerance);
-    as_deep.any(|known| known.give != Give::No || beside(known))
-}
-
-/// The larger distance of two contacts of a strand with the same partner, along the strand or along the partner, m.
-fn apart(one: &StepConstraint, other: &StepConstraint, strands: &[ConstrainedStrand]) -> f64 {
-    let along = |end: &ConstraintEnd| strands[end.strand as usize].along(&end.material_point);
-    let off = |a: &ConstraintEnd, b: &ConstraintEnd| (along(a) - along(b)).abs();
-    let first = off(&one.first, &other.first);
-    match (&one.second, &other.second) {
-        (Some(a), Some(b)) => first.max(off(a, b)),
-        _ => first,
     }
 }
 

@@ -4,9 +4,9 @@
 
 use super::constrained_strand::{ConstrainedStrand, Formula};
 use super::coupled_step::{BeginAgain, CoupledStep, Scratch, Stepping};
-use super::ending::Next;
 use super::formula::restart;
 use super::island::Island;
+use super::island::ending::Next;
 use crate::memory::recycled;
 use crate::meter::Stopped;
 use crate::platform::Instant;

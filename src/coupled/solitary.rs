@@ -5,9 +5,9 @@
 
 use super::constrained_strand::{ConstrainedStrand, Formula, Solitary};
 use super::coupled_step::{BeginAgain, CoupledStep, Scratch, Stepping};
-use super::ending::Next;
 use super::formula::restart;
 use super::island::Island;
+use super::island::ending::Next;
 use super::iterations::distribute_work;
 use super::packs::{MAX_LANES, Work, first_half, second_half, with_work};
 use crate::meter::Stopped;

@@ -30,7 +30,7 @@ use crate::contact::options::{ContactModel, ContactOptions};
 use crate::coupled::constrained_strand::{ConstrainedStrand, Formula, Meets, StrandEnd};
 use crate::coupled::coupled_step::{CoupledParts, CoupledStep, Stepping};
 use crate::coupled::detection::ContactMemory;
-use crate::coupled::ending::Outcome;
+use crate::coupled::island::ending::Outcome;
 use crate::coupled::iterations::IterationTally;
 use crate::coupled::packs::Work;
 use crate::math::lanes::InstructionSet;

@@ -11,7 +11,6 @@
 //! - `constrained_substep.rs`: The substep of constrained strands.
 //! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
 //! - `contact_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
-//! - `contact_detection.rs`: Contact detection in a substep: contacts of constrained strands with bodies and other strands, as constraints, and their warm start.
 //! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
 //! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
 //! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
@@ -43,6 +42,7 @@
 //! - `stepping.rs`: Steps all strands through time and reports the results.
 //! - `strand.rs`: One strand of a solver: constants, state, the root's motion, and the result of the last step.
 //! - `targets.rs`: Targets: curves, of a rig for example, to which strands are drawn with a weight along their length.
+//! - `ties.rs`: Which strands are tied together: their wisps give way to each other there.
 //! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
 //! - `trimming.rs`: Cuts simulated strands and lets them grow.
 //! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.

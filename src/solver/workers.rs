@@ -2,7 +2,7 @@
 
 use super::at_points::Touched;
 use super::trial_steps::TrialScratch;
-use crate::coupled::island_problem::ProblemScratch;
+use crate::coupled::island::problem::ProblemScratch;
 use crate::step;
 
 /// The scratch memory of one worker.

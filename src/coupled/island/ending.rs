@@ -3,10 +3,11 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::{ConstrainedStrand, Strands};
-use super::island::{ENOUGH_TURN, FEW, Island, LOOKS};
+use super::convergence::ENOUGH_TURN;
+use super::{FEW, Island, LOOKS};
 use crate::contact::constraint::step_constraint::{Give, Standing, StepConstraint};
 use crate::contact::options::ContactOptions;
+use crate::coupled::constrained_strand::{ConstrainedStrand, Strands};
 use crate::meter::Stopped;
 
 /// Where forces have grown beyond measure, strands have diverged whose forces exceed this many times the force that moves a

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::Strands;
+use super::Island;
 use super::ending::Outcome;
-use super::island::Island;
 use crate::contact::constraint::step_constraint::ConstraintKind;
 use crate::contact::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use crate::contact::solver::contact_space::{ContactSpace, End, SpaceConstraint};
 use crate::contact::solver::gauss_seidel::{GaussSeidel, Scales, Settings};
 use crate::contact::solver::partition::Partition;
+use crate::coupled::constrained_strand::Strands;
 use crate::error::Result;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;

@@ -4,10 +4,10 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::Strands;
-use super::island::Island;
+use super::Island;
 use crate::contact::constraint::step_constraint::{ConstraintEnd, Give, StepConstraint};
 use crate::contact::options::ContactOptions;
+use crate::coupled::constrained_strand::Strands;
 
 /// Pushing goes on while it reduces the largest depth to this fraction, and at most this often between two searches for
 /// contacts.

@@ -4,11 +4,12 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::Strands;
-use super::island::{Island, is_nearly_outside, is_outside};
+use super::Island;
+use super::convergence::{is_nearly_outside, is_outside};
 use crate::contact::constraint::law::Law;
 use crate::contact::constraint::step_constraint::{Activity, Give, Standing, StepConstraint};
 use crate::contact::options::ContactOptions;
+use crate::coupled::constrained_strand::Strands;
 
 /// A contact becomes dormant if its surfaces are further apart than this many times their relative motion in the iteration: the
 /// next ones are shorter.

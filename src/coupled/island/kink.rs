@@ -5,10 +5,10 @@
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::{ConstrainedStrand, Strands};
-use super::island::Island;
+use super::Island;
 use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind};
 use crate::contact::options::ContactOptions;
+use crate::coupled::constrained_strand::{ConstrainedStrand, Strands};
 use crate::math::trigonometry::sine_cosine;
 use crate::step::Setting;
 use crate::step::constrained_packs::AnyPack;

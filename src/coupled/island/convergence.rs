@@ -1,0 +1,166 @@
+//! The test for convergence of an island, after each Newton iteration: what still moves, which laws hold, whether it makes progress.
+
+use super::ending::Outcome;
+use super::{DIVERGED, FEW, Island, ROUGH};
+use crate::contact::constraint::law::Law;
+use crate::contact::constraint::step_constraint::{Give, Standing};
+use crate::contact::options::{ContactOptions, MAX_CHOSEN_ITERATIONS};
+use crate::coupled::constrained_strand::Strands;
+
+/// Tolerance of a rigid bilateral constraint at the end of a step, m.
+const BILATERAL_TOLERANCE: f64 = 1e-10;
+/// The distance of an element from convergence that a rough solve leaves, rad; the same for the penalty models.
+const ROUGH_TOLERANCE: f64 = 1e-3;
+const SOFT_TOLERANCE: f64 = 2e-3;
+/// Iterations in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
+/// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
+/// is ended.
+const PATIENCE: [u32; 3] = [5, 15, 25];
+/// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
+/// tolerance; of a bilateral constraint, m.
+pub(super) const ENOUGH_TURN: f64 = 1e-2;
+const ENOUGH_DEPTH: f64 = 2.0;
+const ENOUGH_BILATERAL: f64 = 1e-9;
+/// A contact problem has no solution if a force exceeds this many times the force that moves a strand by its own length in a
+/// step.
+const NO_SOLUTION: f64 = 1e4;
+/// The same for bilateral constraints, in units of that force plus the force that bends an element by a radian. Constraints
+/// that can be satisfied need a few times as much in the end, though more during the iteration; others need a thousand times
+/// more in every iteration.
+const CANNOT_HOLD: f64 = 1e12;
+/// An island with bilateral constraints is ended after this many iterations in a row that move no strand by more than this
+/// fraction of the tolerance, or leave the contact problem with more than this residual: the constraints leave its contacts no
+/// room (hard models; others yield).
+const IDLE: u32 = 5;
+const STILL: f64 = 1e-2;
+const HOPELESS: f64 = 0.1;
+
+/// A strand may rest if it is closer to convergence than this fraction of the tolerance, until changed forces would move it by
+/// more than that (an element's length times the angle).
+const REST: f64 = 0.3;
+
+impl Island {
+    /// After the second half: tests for convergence, by the strands' residuals and those of the laws at the new iterate.
+    pub fn check(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, tolerance: f64, step: f64) {
+        let soft = options.model.is_soft();
+        let enough_for_contacts = match () {
+            () if !self.has_contacts() => 0.0,
+            () if options.model.is_soft() => SOFT_TOLERANCE,
+            () if self.rough => ROUGH_TOLERANCE,
+            () => 0.0,
+        };
+        let tolerance_asked = tolerance;
+        let tolerance = tolerance.max(enough_for_contacts);
+        let residual = self.strands.iter().map(|strand| strands[*strand as usize].residual).fold(0.0, f64::max);
+        let mut good = residual <= tolerance;
+        let mut enough = residual <= ENOUGH_TURN;
+        let (mut rested, mut wakes_some) = (0.0_f64, false);
+        let asked = self.asked(options);
+        (self.progress.rest, self.rest_residual) = (REST * tolerance, asked);
+        self.progress.ending.residual = 0.0;
+        for index in 0..self.constraints.len() {
+            if !self.is_included[index] {
+                if self.constraints[index].is_dormant() {
+                    self.rouse(index, strands, options, step);
+                }
+                let Standing { law_residual, holds, nearly, .. } = self.constraints[index].standing;
+                (good, enough) = (good && holds, enough && nearly);
+                rested = rested.max(law_residual);
+                continue;
+            }
+            let before = self.constraints[index].gap;
+            let (law, u) = self.evaluate(index, strands, options, step);
+            let constraint = &self.constraints[index];
+            let moved = (constraint.gap - before).abs();
+            let law_residual = self.progress.report.law_residual(&law, u, constraint.force, step);
+            self.progress.ending.residual = self.progress.ending.residual.max(law_residual);
+            let (holds, nearly) = match law {
+                Law::Bilateral(bilateral) => {
+                    let off = bilateral.directions().map(|d| (d.dot(&u) + bilateral.compliance * d.dot(&constraint.force)).abs());
+                    let off = off.fold(0.0, f64::max);
+                    (off <= BILATERAL_TOLERANCE, off <= ENOUGH_BILATERAL)
+                }
+                Law::Ring(_) => (constraint.gap <= BILATERAL_TOLERANCE, constraint.gap <= ENOUGH_BILATERAL),
+                Law::Contact(contact) => {
+                    let gap = if soft || constraint.deep || constraint.give != Give::No { 0.0 } else { u.dot(&contact.normal) };
+                    let exact = soft || constraint.give == Give::Much || law_residual <= asked;
+                    let outside = self.rough || is_outside(gap, options);
+                    (outside && exact, is_nearly_outside(gap, options))
+                }
+            };
+            // (A constraint that does not hold may wait for any displacement of its resting strand, however small.)
+            let motions = self.pushes_resting(index, strands);
+            let wakes = motions.map(|motion| motion > if holds { REST * tolerance } else { 0.0 });
+            // A resting strand that moves by no more than this stays within the tolerance.
+            let waits = motions.iter().any(|motion| *motion > (1.0 - REST) * tolerance);
+            self.constraints[index].standing = Standing { law_residual, holds, nearly, wakes };
+            self.constraints[index].may_sleep(&law, &u, moved);
+            (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
+        }
+        let left = (residual / tolerance).max(self.progress.ending.residual / ROUGH);
+        if left < 0.5 * self.progress.best.0 {
+            self.progress.best = (left, self.progress.iterations);
+        }
+        let open = self.strands.iter().filter(|strand| strands[**strand as usize].residual > tolerance).count()
+            + self
+                .constraints
+                .iter()
+                .filter(|constraint| !constraint.standing.holds || constraint.standing.wakes != [false; 2])
+                .count();
+        if open < self.progress.fewest.0.div_ceil(2) {
+            self.progress.fewest = (open, self.progress.iterations);
+        }
+        // Resting constraints are reported as well, but nothing waits for them.
+        self.progress.ending.residual = self.progress.ending.residual.max(rested);
+        let largest = |contacts: bool| {
+            let of = self
+                .constraints
+                .iter()
+                .filter(|constraint| constraint.is_contact() == contacts)
+                .map(|constraint| constraint.force.norm());
+            of.fold(0.0, f64::max)
+        };
+        let usual = self.usual_force(strands, step);
+        self.progress.beyond = largest(true) > NO_SOLUTION * usual
+            || self.has_bilateral() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
+        let idle = !options.model.is_soft()
+            && (residual <= STILL * tolerance_asked || self.progress.report.residual > HOPELESS * self.progress.report.size);
+        self.progress.idle = if idle { self.progress.idle + 1 } else { 0 };
+        // Bilateral constraints may turn a strand right round, a little in every iteration. An island that waits only for
+        // resting strands makes progress: these are woken twice at most.
+        let waits_only = good && wakes_some;
+        let got_on = self.progress.best.1.max(self.progress.fewest.1);
+        let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
+        let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
+        let slow = !waits_only && !self.has_bilateral() && self.progress.iterations >= got_on + patience;
+        let stuck = slow || self.progress.beyond || self.has_bilateral() && self.progress.idle > IDLE;
+        let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
+        // One contact slightly beyond the rough tolerance says nothing about the end.
+        let good = good && !wakes_some || self.rough && slow && enough;
+        let good = good && !self.push_on(strands, options, step);
+        // The host chose to pay for this many iterations.
+        let chosen = options.model.is_soft()
+            && options.max_iterations <= MAX_CHOSEN_ITERATIONS
+            && self.progress.iterations >= options.max_iterations;
+        self.done = good || diverged || stuck || self.progress.iterations >= options.max_iterations;
+        let is_far = |strand: &u32| strands[*strand as usize].residual > DIVERGED;
+        // An island with yielding constraints has not converged, whatever its residual.
+        self.progress.ending.outcome = match () {
+            () if (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No) => Outcome::Converged,
+            () if good => Outcome::AttemptConverged,
+            () if self.done && (enough || chosen) => Outcome::GoodEnough,
+            () if self.done && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
+            () => Outcome::Unconverged,
+        };
+    }
+}
+
+/// Whether the gap of a contact is within the tolerance of a converged step.
+pub(super) fn is_outside(gap: f64, options: &ContactOptions) -> bool {
+    gap >= -0.5 * options.tolerance
+}
+
+/// The same for an island that makes no progress.
+pub(super) fn is_nearly_outside(gap: f64, options: &ContactOptions) -> bool {
+    gap >= -ENOUGH_DEPTH * options.tolerance
+}
