@@ -42,15 +42,14 @@ pub enum Stopped {
     Cancelled = 3,
 }
 
-/// Units of work for this many elements or fewer, and for every further one: see [`usual_work`].
-const MIN_WORK: f64 = 136_800.0;
-const MIN_ELEMENTS: usize = 2280;
-const WORK_PER_ELEMENT: f64 = 200.0;
+/// Units of work for every element, and the number of elements for which there is work at least: see [`usual_work`].
+const WORK_PER_ELEMENT: u64 = 500;
+const MIN_ELEMENTS: usize = 900;
 
-/// The default work of a substep, in units: a quarter of a second of one core for 228 strands of ten elements and for less. Every
-/// further element adds enough for a thousand strands on each other and on a head that is shaken as hard as a head can be.
+/// The default work of a substep, in units: as much for every element as tufts of strands that cross each other take, and less
+/// than half a second of one core for 900 elements and for fewer.
 pub fn usual_work(elements: usize) -> u64 {
-    (MIN_WORK + WORK_PER_ELEMENT * elements.saturating_sub(MIN_ELEMENTS) as f64) as u64
+    WORK_PER_ELEMENT * elements.max(MIN_ELEMENTS) as u64
 }
 
 /// Nanoseconds of work in a unit, approximately.
@@ -171,7 +170,7 @@ mod tests {
 
     #[test]
     fn usual_work_grows_with_the_elements() {
-        assert_eq!(usual_work(10), usual_work(2280));
-        assert_eq!(usual_work(12280), usual_work(2280) + 2_000_000);
+        assert_eq!(usual_work(10), usual_work(900));
+        assert_eq!(usual_work(12_280), 6_140_000);
     }
 }

@@ -1,7 +1,7 @@
 //! The cost of contact: a thousand guides on Sintel's bust, shaken, hair against hair and bust, with each model. Also each
 //! model's error for its cost (`price.rs`), and the cost per contact as contacts grow in number (`scaling.rs`).
 //!
-//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--strands-only] [--walk-only [--scale X] [--case K]]
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--model NAME [--work UNITS]] [--quick] [--scaling-only] [--strands-only] [--walk-only [--scale X] [--case K]]
 //! [--jumps-only [--random N]]`
 
 mod jumps;
@@ -19,7 +19,8 @@ use superhelix::hair::{FitOptions, fit_polyline, natural_under_gravity};
 use superhelix::io::{Curves, obj_mesh};
 use superhelix::shapes::{DistanceGrid, Sides};
 use superhelix::{
-    BodyDef, ContactModel, ContactOptions, Frame, Phases, Shape, Solver, SolverOptions, StrandContact, StrandDef, Workers,
+    BodyDef, ContactModel, ContactOptions, Frame, Phases, Shape, Solver, SolverOptions, StepLimits, StrandContact, StrandDef,
+    Workers,
 };
 
 const ELEMENTS: usize = 10;
@@ -125,6 +126,7 @@ fn shake(
     (model, max_iterations, residual, name): (ContactModel, u32, f64, &'static str),
     steps: usize,
     threads: usize,
+    work: Option<u64>,
 ) -> Outcome<Shaken> {
     let contact = ContactOptions { model, max_iterations, residual, hair: true, ..ContactOptions::default() };
     let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
@@ -154,7 +156,7 @@ fn shake(
             defs.iter().map(|def| Frame { origin: turn * def.root.origin, rotation: turn * def.root.rotation }).collect();
         solver.set_root_frames(&ids, &frames, STEP)?;
         solver.set_body_frames(&bodies, &[Frame { origin: Vector3::zeros(), rotation: turn }], STEP)?;
-        let report = solver.step(STEP, 1)?;
+        let report = solver.step_within(STEP, 1, &StepLimits { work, ..StepLimits::default() })?;
         if std::env::var_os("CONTACT_PRINT").is_some() {
             let (ms, units) = (1e3 * report.seconds, report.work);
             println!("{step}: {ms:.1} ms, {units} units, {} unconverged, {:?}", report.unconverged, report.contact);
@@ -191,6 +193,7 @@ fn main() -> Outcome<()> {
     let steps: usize = option("--steps").map_or(Ok(90), |text| text.parse())?;
     let threads: usize = option("--threads").map_or(Ok(2), |text| text.parse())?;
     let only = option("--model");
+    let work: Option<u64> = option("--work").map(|text| text.parse()).transpose()?;
     let quick = arguments.iter().any(|argument| argument == "--quick");
     let count: usize = option("--guides").map_or(Ok(1000), |text| text.parse())?;
 
@@ -233,8 +236,10 @@ fn main() -> Outcome<()> {
         defs.len(),
         bust.triangles.len()
     );
-    for model in MODELS.into_iter().filter(|model| only.is_none_or(|only| only == model.3)) {
-        let out = shake(&defs, &head, model, steps, threads)?;
+    // (At points, strands that collide with strands use penalties.)
+    let of_hair = MODELS.into_iter().filter(|model| model.0 != ContactModel::AtPoints);
+    for model in of_hair.filter(|model| only.is_none_or(|only| only == model.3)) {
+        let out = shake(&defs, &head, model, steps, threads, work)?;
         let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
         let row = format!(
             "\"{}\",{:.1},{:.1},{:.1},{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.2e},{},{:.1e},{},{}",

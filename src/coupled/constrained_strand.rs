@@ -61,6 +61,19 @@ pub enum FirstHalf {
     ToDo,
 }
 
+/// The first half of a strand's first iteration, which predicts whether something presses it. Until that iteration its constraints
+/// stay as they were for this: a ring's point, looked for once more from where it is, differs in its last bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LookAhead {
+    /// It was not done, or the strand's step has begun again since.
+    #[default]
+    None,
+    /// It was done.
+    Done,
+    /// It was done, but is repeated: a strand of its pack that iterates at another time would overwrite it.
+    ToRepeat,
+}
+
 /// The integration formula of a constrained strand's step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Formula {
@@ -134,7 +147,7 @@ pub struct ConstrainedStrand {
     /// The formula of its step.
     pub formula: Formula,
     /// Whether the first half of the first iteration is already done.
-    pub looked_ahead: bool,
+    pub look_ahead: LookAhead,
     /// How its island's iteration has ended, if nothing new acts on the strand since.
     pub ended: Option<Ending>,
     /// How far its island's iteration has come, if it is alone in it and nothing new acts on it.
@@ -434,7 +447,7 @@ impl ConstrainedStrand {
 
     /// Before the first half of a Newton iteration; the constraints' forces are those of the last iteration.
     pub fn hold(&mut self, island: &Island) -> FirstHalf {
-        if std::mem::take(&mut self.looked_ahead) {
+        if std::mem::take(&mut self.look_ahead) == LookAhead::Done {
             return FirstHalf::Done;
         }
         self.choose_rest(island);

@@ -2,7 +2,7 @@
 //! takes the step, and the next one, by implicit Euler. A strand that nothing presses, however near it is, steps as it would
 //! alone.
 
-use super::constrained_strand::{ConstrainedStrand, Formula};
+use super::constrained_strand::{ConstrainedStrand, Formula, LookAhead};
 use super::coupled_step::{BeginAgain, CoupledStep, Stepping};
 use super::island::Island;
 use super::packs::Packs;
@@ -43,7 +43,7 @@ impl CoupledStep {
             packs.linearise(strands, islands, stepping.workers, meter, |constrained| asked[constrained.island as usize])
         });
         for constrained in strands.iter_mut().filter(|constrained| asked[constrained.island as usize]) {
-            constrained.looked_ahead = true;
+            constrained.look_ahead = LookAhead::Done;
         }
         if meter.is_halted() {
             return;
@@ -77,6 +77,6 @@ pub(super) fn restart(packs: &mut Packs, strands: &mut [ConstrainedStrand], mete
     }
     begin_again(packs, strands);
     for constrained in strands.iter_mut().filter(|constrained| is_marked(constrained)) {
-        (constrained.formula, constrained.resting, constrained.looked_ahead) = (Formula::ImplicitEuler, false, false);
+        (constrained.formula, constrained.resting, constrained.look_ahead) = (Formula::ImplicitEuler, false, LookAhead::None);
     }
 }

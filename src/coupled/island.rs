@@ -18,7 +18,7 @@ mod pushing;
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::{Attachment, ConstrainedStrand, Strands};
+use super::constrained_strand::{Attachment, ConstrainedStrand, LookAhead, Strands};
 use crate::chain::load::MaterialPoint;
 use crate::contact::body::BodyAt;
 use crate::contact::constraint::law::Law;
@@ -268,7 +268,7 @@ impl Island {
             let strand = &strands[constraint.first.strand as usize];
             self.constrained_to_world |=
                 constraint.give == Give::No && matches!(constraint.kind, ConstraintKind::Pin { compliance: 0.0, .. });
-            if strand.resting || constraint.is_dormant() || constraint.in_crease {
+            if strand.resting || strand.look_ahead != LookAhead::None || constraint.is_dormant() || constraint.in_crease {
                 continue;
             }
             match &mut constraint.kind {

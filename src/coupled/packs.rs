@@ -3,7 +3,7 @@
 //! Strands with one pack key are packed by their numbers of iterations in the last step, so that a pack does not wait for one
 //! of its strands. A strand that begins its step again moves to a pack of such strands. No result depends on the pack.
 
-use super::constrained_strand::{ConstrainedStrand, FirstHalf};
+use super::constrained_strand::{ConstrainedStrand, FirstHalf, LookAhead};
 use super::island::Island;
 use crate::memory::recycled;
 use crate::meter::Meter;
@@ -118,7 +118,7 @@ impl Packs {
     /// Where solitary and coupled strands share a pack, these iterate at different times: what was done ahead for one would be
     /// overwritten for another, and is done again.
     pub fn forget_mixed_look_ahead(&mut self, strands: &mut [ConstrainedStrand]) {
-        if !strands.iter().any(|constrained| constrained.looked_ahead) {
+        if !strands.iter().any(|constrained| constrained.look_ahead == LookAhead::Done) {
             return;
         }
         self.holds.clear();
@@ -127,7 +127,9 @@ impl Packs {
             self.holds[constrained.pack as usize][usize::from(constrained.is_solitary)] = true;
         }
         for constrained in strands {
-            constrained.looked_ahead &= self.holds[constrained.pack as usize] != [true; 2];
+            if constrained.look_ahead == LookAhead::Done && self.holds[constrained.pack as usize] == [true; 2] {
+                constrained.look_ahead = LookAhead::ToRepeat;
+            }
         }
     }
 

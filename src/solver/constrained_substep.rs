@@ -27,7 +27,7 @@ use super::ties::ties;
 use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::{ContactModel, ContactOptions};
-use crate::coupled::constrained_strand::{ConstrainedStrand, Formula, Meets, StrandEnd};
+use crate::coupled::constrained_strand::{ConstrainedStrand, Formula, LookAhead, Meets, StrandEnd};
 use crate::coupled::coupled_step::{CoupledParts, CoupledStep, Stepping};
 use crate::coupled::detection::ContactMemory;
 use crate::coupled::island::ending::Outcome;
@@ -321,7 +321,8 @@ impl ConstrainedSubstep {
             constrained.resting = false;
             (constrained.ended, constrained.progress) = (None, None);
             (constrained.left_deep, constrained.has_undetected, constrained.behind) = (false, false, false);
-            (constrained.root_gap, constrained.looked_ahead, constrained.end) = (f64::INFINITY, false, StrandEnd::AsBegun);
+            (constrained.root_gap, constrained.look_ahead, constrained.end) =
+                (f64::INFINITY, LookAhead::None, StrandEnd::AsBegun);
             constrained.found.clear();
         }
         packs::begin(packs, &mut self.pairs, scene, constrained_strands, h, |_| true);
