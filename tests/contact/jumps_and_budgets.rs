@@ -266,7 +266,7 @@ fn diverged_strands_return() {
 }
 
 /// The work of a step grows with the strands as they need it. Curls that stand on a ball shaken as hard as a head can be (0.5 rad at 2 Hz) need more than
-/// that: a third of the strand steps are left; with 60 units for every further element instead of 200 it is 45 in a hundred. (Strands
+/// that: 14 of a hundred strand steps are left; with 200 units for every element beyond the 2280th instead of 500 it is 32. (Strands
 /// that are left fall behind and need more in the next step, so that one shake says little, and five differ by a tenth: the mean of twenty.)
 #[test]
 fn the_usual_work_grows_with_the_work_that_strands_need() {
@@ -284,7 +284,7 @@ fn the_usual_work_grows_with_the_work_that_strands_need() {
     }
     let (all, usual) = (strands as u32 * steps * shakes, usual_work(strands * ELEMENTS));
     println!("{left} of {all} strand steps left, dearest {dearest} of {usual} units");
-    assert!(f64::from(left) < 0.36 * f64::from(all), "{left}");
+    assert!(f64::from(left) < 0.2 * f64::from(all), "{left}");
 }
 
 /// How far a strand winds about a rod along y, as seen along it, rad: below zero where it goes past it in front.
