@@ -1,0 +1,44 @@
+//! An ordinary scene with hair on hair, no option set.
+
+use std::f64::consts::PI;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::{Frame, Solver, SolverOptions, StrandContact, StrandDef, Workers, usual_work};
+
+const H: f64 = 1.0 / 60.0;
+
+/// Eight tufts of sixteen strands that are drawn across each other and swung by their roots, everything by default: hardly a step is cut.
+/// (With 136,800 units for as many elements all of them were, and all strands unconverged.)
+#[test]
+fn the_usual_work_is_enough_for_tufts_that_swing() {
+    let radius = 5e-4;
+    let down = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.5 * PI)
+        * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5 * PI);
+    let def = |k: usize| {
+        let part = |by: f64| 2.0 * (k as f64 * by).fract() - 1.0;
+        let mut def = StrandDef::straight(0.15, 6);
+        def.material.internal_friction = 1e-10;
+        def.material.air_drag = 5e-6;
+        def.natural = vec![[0.0, 6.0 * part(0.618_034), 6.0 * part(0.754_878)]; 6];
+        let place = Vector3::new((k % 4) as f64, 0.0, (k % 16 / 4) as f64) * (2.4 * radius);
+        def.root = Frame { origin: Vector3::x() * (0.4 * (k / 16) as f64) + place, rotation: down };
+        def
+    };
+    let defs: Vec<StrandDef> = (0..128).map(def).collect();
+    let mut options = SolverOptions { gravity: Vector3::y() * -9.81, workers: Workers::Pool(2), ..SolverOptions::default() };
+    options.contact.hair = true;
+    let mut solver = Solver::new(options).unwrap();
+    let ids = solver.add_strands(&defs).unwrap();
+    solver.set_contact(&ids, Some(&StrandContact { wisp_radius: radius, ..StrandContact::default() })).unwrap();
+    let (mut left, mut unconverged, mut dearest) = (0, 0, 0);
+    for step in 1..=30 {
+        let shift = Vector3::x() * (0.02 * (4.0 * PI * f64::from(step) * H).sin());
+        let frame = |def: &StrandDef| Frame { origin: def.root.origin + shift, ..def.root };
+        let frames: Vec<Frame> = defs.iter().map(frame).collect();
+        solver.set_root_frames(&ids, &frames, H).unwrap();
+        let report = solver.step(H, 1).unwrap();
+        (left, unconverged, dearest) = (left + report.left, unconverged + report.unconverged, dearest.max(report.work));
+    }
+    println!("{left} left, {unconverged} unconverged of {}, dearest {dearest} of {} units", 30 * 128, usual_work(128 * 6));
+    assert!(left < 384 && unconverged < 400, "{left} left, {unconverged} unconverged");
+}
