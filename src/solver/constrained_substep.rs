@@ -166,7 +166,8 @@ impl ConstrainedSubstep {
         self.coupled.memory()
     }
 
-    /// A solver's memory restored, see [`ContactDetection::take_up`].
+    /// A solver's memory restored: `None` if it does not belong to the scene, of which `elements` gives the lengths of a strand's
+    /// elements.
     pub fn taken_up<'a>(memory: ContactMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
         let mut new = Self::default();
         new.coupled.detection().take_up(memory, elements, bodies).then_some(new)
@@ -204,11 +205,12 @@ impl ConstrainedSubstep {
         self.coupled.detect(&stepping, ties(scene.constraints, |id| scene.slots.index(id)));
         self.add_bilateral(scene, h);
         self.coupled.couple(&stepping);
-        let Self { coupled, pairs, .. } = self;
-        coupled.predict_pressed(&stepping, &mut packs::begin_again(scene, pairs, h));
+        let mut begin_again = packs::begin_again(scene, &mut self.pairs, h);
+        self.coupled.predict_pressed(&stepping, &mut begin_again);
         let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
-        let (Self { coupled, pairs, .. }, mut tally) = (&mut *self, IterationTally::default());
-        coupled.solve(&stepping, &mut packs::begin_again(scene, pairs, h), &mut tally);
+        let mut tally = IterationTally::default();
+        self.coupled.solve(&stepping, &mut begin_again, &mut tally);
+        drop(begin_again);
         account.contact.count(&tally);
         if !scene.options.model.is_soft() {
             let CoupledParts { strands, islands, .. } = self.coupled.parts();

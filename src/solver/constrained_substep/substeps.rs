@@ -9,7 +9,6 @@ use super::{ConstrainedSubstep, Scene};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::contact_point::Partner;
 use crate::coupled::constrained_strand::{ConstrainedStrand, StrandEnd};
-use crate::coupled::coupled_step::CoupledParts;
 use crate::coupled::island::{FEW, Island};
 use crate::meter::Stopped;
 use crate::solver::deep_places::CurrentScene;
@@ -43,8 +42,7 @@ impl ConstrainedSubstep {
     /// Selects the islands that take the substep in substeps, and returns their strands as they were before it.
     pub(super) fn choose_subdivided(&mut self, scene: &Scene) -> Vec<BeforeSubsteps> {
         let deep = DEEP * scene.options.tolerance;
-        let CoupledParts { strands, islands, .. } = self.coupled.parts();
-        for island in islands.iter_mut() {
+        for island in self.coupled.parts().islands {
             let may = island.failed() && !island.has_bilateral() && !scene.options.model.is_soft();
             // (A large tangle that cannot be satisfied is expensive. Substeps do not separate what two surfaces push into each
             // other.)
@@ -52,14 +50,8 @@ impl ConstrainedSubstep {
             let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
             island.is_subdivided = may && (few || large);
         }
-        let is_subdivided = |constrained: &usize| islands[strands[*constrained].island as usize].is_subdivided;
-        let taking = (0..strands.len()).filter(is_subdivided);
-        taking
-            .map(|constrained| BeforeSubsteps {
-                strand: constrained,
-                before: scene.strands[strands[constrained].index as usize].clone(),
-            })
-            .collect()
+        let before = |strand: usize| scene.strands[self.coupled.strands()[strand].index as usize].clone();
+        self.subdivided().map(|strand| BeforeSubsteps { strand, before: before(strand) }).collect()
     }
 
     /// Takes the selected islands through the two halves of a substep of `h` seconds, which may be halved `levels` times more.
