@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::shape::{Bounds, Kind, Mesh, Shape, Surface};
+use super::shape::{Bounds, Mesh, Shape, Surface};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 use crate::math::pose_motion::PoseMotion;
@@ -363,24 +363,16 @@ impl<'a> BodyAt<'a> {
         self.shape.closest(self.axes_end.tr_mul(&(at - self.end.origin)), within)
     }
 
-    /// A distance (m) that its surface surely has from a point of the world at the substep's end, as far as that is known without looking
-    /// for the surface.
-    pub(super) fn at_least_at_end(&self, at: Vector3<f64>) -> f64 {
-        match &self.shape.0 {
-            Kind::Grid(grid) => grid.at_least(&self.axes_end.tr_mul(&(at - self.end.origin)), self.shape.distance_slope()),
-            _ => f64::NEG_INFINITY,
-        }
+    /// The same, or else a distance (m) that the surface surely has from the point.
+    #[inline]
+    pub(super) fn closest_or_least_at_end(&self, at: Vector3<f64>, within: f64) -> std::result::Result<Surface, f64> {
+        self.shape.closest_or_least(self.axes_end.tr_mul(&(at - self.end.origin)), within)
     }
 
     /// Its surface nearest to a point of the world when the substep began, see [`Shape::closest`]; a mesh that deforms is taken as it is at
     /// the end.
     pub(super) fn closest_at_start(&self, at: Vector3<f64>, within: f64) -> Option<Surface> {
         self.shape.closest(self.axes_start.tr_mul(&(at - self.start.origin)), within)
-    }
-
-    /// A distance (m) that its surface has from a point of the world at least at the substep's end, see [`Shape::distance`].
-    pub(super) fn distance_at_end(&self, at: Vector3<f64>, within: f64) -> f64 {
-        self.shape.distance(self.axes_end.tr_mul(&(at - self.end.origin)), within)
     }
 
     /// The depth of a point of the world in the body when the substep began, m, if it is no more than `within`; a mesh that

@@ -13,7 +13,7 @@ use crate::step::point_contacts::{SurfaceAtPoint, Surfaces};
 const REACH: f64 = 5e-3;
 /// A surface that is farther than this from a point need not be known, m.
 const NEAR: f64 = 2e-3;
-/// How far the other shapes are asked, m.
+/// No surface is asked for that is farther, m.
 const FAR: f64 = 0.1;
 
 /// What a strand may touch.
@@ -52,22 +52,18 @@ impl Surfaces for StrandSurfaces<'_> {
             if away > least {
                 continue;
             }
-            let mut far = away.max(body.at_least_at_end(at) - margin);
-            if far < NEAR {
-                let is_mesh = body.shape.mesh().is_some();
-                let within = if is_mesh { margin + REACH } else { FAR };
-                match body.closest_at_end(at, within) {
-                    Some(surface) if surface.distance - margin < least => {
-                        nearest = Ok((surface.distance - margin, body, surface));
-                        continue;
-                    }
-                    Some(_) => continue,
-                    None if is_mesh => far = far.max(REACH),
-                    None => far = far.max(body.distance_at_end(at, within) - margin),
+            let found = if away < NEAR {
+                let reach = if body.shape.mesh().is_some() { REACH } else { NEAR };
+                body.closest_or_least_at_end(at, margin + reach).map_err(|far| away.max(far - margin))
+            } else {
+                Err(away)
+            };
+            match (found, &mut nearest) {
+                (Ok(surface), _) if surface.distance - margin < least => {
+                    nearest = Ok((surface.distance - margin, body, surface));
                 }
-            }
-            if let Err(least) = &mut nearest {
-                *least = least.min(far);
+                (Err(far), Err(least)) => *least = least.min(far),
+                _ => {}
             }
         }
         let (gap, body, surface) = nearest?;

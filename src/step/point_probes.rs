@@ -37,14 +37,14 @@ impl Place {
         self.gap - SLOPE * distance(now, self.at)
     }
 
-    /// Its gap now, if that may be below zero; else infinity.
-    fn gap_now(&self, surfaces: &dyn Surfaces, arclength: f64, now: Vec3<f64>) -> f64 {
-        if self.least(now) > 0.0 {
+    /// Its gap now, if that may be below `limit` (m); else infinity.
+    fn gap_below(&self, limit: f64, surfaces: &dyn Surfaces, arclength: f64, now: Vec3<f64>) -> f64 {
+        if self.least(now) > limit {
             f64::INFINITY
         } else if now == self.at {
             self.gap
         } else {
-            surfaces.nearest(arclength, now).map_or_else(|gap| gap, |surface| surface.gap)
+            gap(surfaces, arclength, now)
         }
     }
 
@@ -273,24 +273,32 @@ impl Line<'_> {
     pub fn measure(&mut self, surfaces: &dyn Surfaces) -> f64 {
         let mut smallest = f64::INFINITY;
         for p in 0..self.points.len() {
-            let (now, arclength) = (self.points[p].now, self.starts[p].arclength);
-            let mut own = self.known[p].own.gap_now(surfaces, arclength, now);
-            smallest = smallest.min(own);
             if let Some(surface) = &mut self.known[p].surface {
-                if own == f64::INFINITY {
-                    own = surfaces.nearest(arclength, now).map_or_else(|gap| gap, |surface| surface.gap);
-                }
-                surface.gap = own;
+                surface.gap = gap(surfaces, self.starts[p].arclength, self.points[p].now);
+                smallest = smallest.min(surface.gap);
+            }
+        }
+        // Of the others only what is deeper counts.
+        for p in 0..self.points.len() {
+            let known = &self.known[p];
+            if known.surface.is_none() {
+                let (arclength, now) = (self.starts[p].arclength, self.points[p].now);
+                smallest = smallest.min(known.own.gap_below(smallest.min(0.0), surfaces, arclength, now));
             }
             // (What was never asked was never near.)
-            if self.known[p].beside.gap > f64::NEG_INFINITY {
+            if known.beside.gap > f64::NEG_INFINITY {
                 let arclength = self.beside(p);
                 let now = self.place(p, arclength, |k| self.points[k].now);
-                smallest = smallest.min(self.known[p].beside.gap_now(surfaces, arclength, now));
+                smallest = smallest.min(known.beside.gap_below(smallest.min(0.0), surfaces, arclength, now));
             }
         }
         smallest
     }
+}
+
+/// How far the nearest surface is from a point, or how far it is at least, m.
+fn gap(surfaces: &dyn Surfaces, arclength: f64, now: Vec3<f64>) -> f64 {
+    surfaces.nearest(arclength, now).map_or_else(|at_least| at_least, |surface| surface.gap)
 }
 
 fn distance(a: Vec3<f64>, b: Vec3<f64>) -> f64 {

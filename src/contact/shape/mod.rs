@@ -2,63 +2,32 @@
 //!
 //! Files:
 //!
-//! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: winding numbers give the sign.
 //! - `bounds.rs`: Boxes along the axes, around what is to be kept apart cheaply.
-//! - `capsule.rs`: Capsule: all points within a radius of a segment.
-//! - `cuboid.rs`: Box about the origin, along the axes.
-//! - `ellipsoid.rs`: Ellipsoid about the origin, along the axes: its exact nearest point.
-//! - `flat_triangle.rs`: A triangle in axes of its own, for many queries of how far points are from it.
-//! - `grid.rs`: Signed distance grid: a closed surface as distances at the nodes of a lattice, cubic in between.
-//! - `half_space.rs`: Half of space, bounded by a plane through the origin.
-//! - `hessian_bounds.rs`: Bounds on the second derivatives of a distance grid's field, block by block of cells.
-//! - `hull.rs`: Convex hull of points, as a closed mesh.
-//! - `lattice.rs`: The nodes at which a distance grid is baked.
-//! - `mesh.rs`: Triangle mesh: its checks, its neighbours, its motion over a step.
-//! - `mesh_normals.rs`: Normals that tell a mesh's sides: of faces, edges and vertices.
-//! - `mesh_patch.rs`: The triangles of a mesh that are near a piece of strand.
-//! - `mesh_query.rs`: Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
 //! - `outline.rs`: Outlines: a shape as a few segments, for debug drawing.
 //! - `parts.rs`: A shape taken apart, for images of a scene, and put together again to the bit.
-//! - `planes.rs`: The tangent plane at every node of a distance grid, for look-ups by the hundred thousand.
 //! - `separation.rs`: Planes that separate convex shapes from straight segments, for the shapes that know them in closed form.
-//! - `sphere.rs`: Sphere about the origin.
 //! - `surface.rs`: Where a shape's surface is nearest to a point.
-//! - `triangle.rs`: Nearest point of a triangle.
-//! - `winding.rs`: Winding numbers: how often a surface goes around a point, also a surface that is not quite closed.
+//! - `grid/`: Signed distance grids: how they are baked, and what is asked of them.
+//! - `mesh/`: Triangle meshes and convex hulls: where they are nearest to a point, over all of them or over a patch.
+//! - `primitive/`: Shapes given by a few numbers: the nearest point of each, exact.
 
-mod bake_open;
 mod bounds;
-mod capsule;
-mod cuboid;
-mod ellipsoid;
-mod flat_triangle;
 mod grid;
-mod half_space;
-mod hessian_bounds;
-mod hull;
-mod lattice;
 mod mesh;
-mod mesh_normals;
-mod mesh_patch;
-mod mesh_query;
 mod outline;
 mod parts;
-mod planes;
+mod primitive;
 mod separation;
-mod sphere;
 mod surface;
-mod triangle;
-mod winding;
 
 use nalgebra::Vector3;
 
 pub use bounds::Bounds;
-pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
+pub(crate) use grid::{PlaneField, node_count};
+pub(in crate::contact) use mesh::{Ball, Patch, Region, Tube};
 pub use mesh::{Mesh, Sides};
-pub(in crate::contact) use mesh_patch::{Ball, Patch, Region, Tube};
 pub(crate) use parts::Parts;
-pub(crate) use planes::PlaneField;
 pub(in crate::contact) use separation::Separator;
 pub use surface::Surface;
 
@@ -170,7 +139,7 @@ impl Shape {
     /// # Errors
     /// [`Error::InvalidArgument`] when a number is not finite, there are fewer than four points, or they span no volume.
     pub fn new_hull(points: &[Vector3<f64>]) -> Result<Self> {
-        Ok(Self(Kind::Hull(hull::of_points(points)?)))
+        Ok(Self(Kind::Hull(mesh::hull::of_points(points)?)))
     }
 
     /// A triangle mesh, checked as [`Mesh::new`] says.
@@ -221,6 +190,18 @@ impl Shape {
         }
     }
 
+    /// The same, or else a distance (m) that the surface surely has from the point.
+    pub(in crate::contact) fn closest_or_least(&self, point: Vector3<f64>, within: f64) -> std::result::Result<Surface, f64> {
+        match &self.0 {
+            Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.closest(point, within).ok_or(within),
+            Kind::Grid(grid) => grid.closest_within(point, within, self.distance_slope()),
+            _ => {
+                let surface = self.closest_smooth(point);
+                if surface.distance < within { Ok(surface) } else { Err(surface.distance) }
+            }
+        }
+    }
+
     /// A distance (m) that the surface has from a point at least, or `within`, where it is more; below zero inside a solid. It changes by no more than
     /// [`Shape::distance_slope`] times the distance from point to point.
     pub(in crate::contact) fn distance(&self, point: Vector3<f64>, within: f64) -> f64 {
@@ -244,11 +225,11 @@ impl Shape {
     #[inline]
     pub(in crate::contact) fn closest_smooth(&self, point: Vector3<f64>) -> Surface {
         match &self.0 {
-            Kind::Sphere { radius } => sphere::closest(*radius, point),
-            Kind::Capsule { a, b, radius } => capsule::closest(*a, *b, *radius, point),
-            Kind::Ellipsoid { semi_axes } => ellipsoid::closest(semi_axes, point),
-            Kind::Cuboid { half_edges } => cuboid::closest(half_edges, point),
-            Kind::HalfSpace { normal } => half_space::closest(normal, point),
+            Kind::Sphere { radius } => primitive::sphere::closest(*radius, point),
+            Kind::Capsule { a, b, radius } => primitive::capsule::closest(*a, *b, *radius, point),
+            Kind::Ellipsoid { semi_axes } => primitive::ellipsoid::closest(semi_axes, point),
+            Kind::Cuboid { half_edges } => primitive::cuboid::closest(half_edges, point),
+            Kind::HalfSpace { normal } => primitive::half_space::closest(normal, point),
             // Not asked: these have lists of triangles or a band.
             Kind::Hull(_) | Kind::Mesh(_) | Kind::Grid(_) => Surface::smooth(point, Vector3::x(), f64::INFINITY),
         }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::capsule::across;
+use super::primitive::capsule::across;
 use super::{Kind, Mesh, Shape};
 use crate::math::trigonometry::sine_cosine;
 

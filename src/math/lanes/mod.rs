@@ -29,7 +29,7 @@ pub(crate) use simd128::{F32x4, F64x2};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 
-use super::lane::Kernel;
+use super::lane::{Kernel, Lane};
 
 /// Runs a kernel for one strand, or for several in contact, as a function of its own: inlined at every call it would be compiled
 /// many times over. It is compiled twice, since AVX2 encodes the same operations in fewer instructions and packs two or three
@@ -45,6 +45,40 @@ pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
         kernel.run()
     }
     with(kernel)
+}
+
+/// A piece of work on four numbers of double precision at a time, in as few registers as the machine has for them. Every number of registers gives the same bits.
+/// See [`Kernel`] for what must be inlined.
+pub(crate) trait KernelOfFour {
+    /// Its result.
+    type Output;
+    /// Does the work, four numbers in `REGISTERS` of type `T`.
+    fn run<T: Lane, const REGISTERS: usize>(self) -> Self::Output;
+}
+
+/// Runs a kernel of four, as a function of its own.
+#[inline(always)]
+pub(crate) fn call_of_four<K: KernelOfFour>(kernel: K) -> K::Output {
+    struct Run<T, K, const REGISTERS: usize>(K, std::marker::PhantomData<T>);
+    impl<T: Lane, K: KernelOfFour, const REGISTERS: usize> Kernel for Run<T, K, REGISTERS> {
+        type Output = K::Output;
+        #[inline(always)]
+        fn run(self) -> Self::Output {
+            self.0.run::<T, REGISTERS>()
+        }
+    }
+    #[inline(always)]
+    fn call<T: Lane, K: KernelOfFour, const REGISTERS: usize>(kernel: K) -> K::Output {
+        T::call(Run::<T, K, REGISTERS>(kernel, std::marker::PhantomData))
+    }
+    #[cfg(target_arch = "x86_64")]
+    if x86::has_avx2() {
+        return call::<F64x4, K, 1>(kernel);
+    }
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
+    return call::<F64x2, K, 2>(kernel);
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
+    return call::<f64, K, 4>(kernel);
 }
 
 /// The vector instructions that kernels are made of.

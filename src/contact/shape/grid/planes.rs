@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::grid::DistanceGrid;
+use super::distance_grid::DistanceGrid;
 use crate::math::prefetch::prefetch;
 
 /// A plane: its distance (m) in the lower half, the field's slopes along x, y and z as signed bytes of 127 above it. One place in memory is

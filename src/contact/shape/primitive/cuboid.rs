@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::surface::Surface;
+use super::super::surface::Surface;
 
 /// Nearest point of the box of half edges `half`. From inside the way out is through the nearest face.
-pub(super) fn closest(half: &Vector3<f64>, point: Vector3<f64>) -> Surface {
+pub(in crate::contact::shape) fn closest(half: &Vector3<f64>, point: Vector3<f64>) -> Surface {
     let on = Vector3::from_fn(|axis, _| point[axis].clamp(-half[axis], half[axis]));
     let out = point - on;
     let distance = out.norm();

@@ -1,15 +1,15 @@
-//! Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
+//! Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`patch.rs`).
 
 use std::cell::Cell;
 
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::BvhNode;
 
-use super::mesh::{Mesh, Sides};
-use super::mesh_normals::Normals;
-use super::mesh_patch::{Ball, Patch};
-use super::surface::Surface;
+use super::super::surface::Surface;
+use super::normals::Normals;
+use super::patch::{Ball, Patch};
 use super::triangle::{self, Part};
+use super::triangle_mesh::{Mesh, Sides};
 
 /// The nearest place of a mesh, before its side is known.
 #[derive(Debug, Clone, Copy)]
@@ -36,7 +36,7 @@ impl Mesh {
     }
 
     /// The distance of a surface that is known to be at most `at_most` away, m: signed for a solid, else without sign.
-    pub(super) fn signed_distance(&self, point: &Vector3<f64>, at_most: f64) -> f64 {
+    pub(in crate::contact::shape) fn signed_distance(&self, point: &Vector3<f64>, at_most: f64) -> f64 {
         let nearest = self.nearest(point, at_most).or_else(|| self.nearest(point, f64::INFINITY));
         nearest.map_or(f64::INFINITY, |nearest| match self.sides {
             Sides::Solid => self.signed(point, &nearest, f64::INFINITY).map_or(f64::INFINITY, |surface| surface.distance),

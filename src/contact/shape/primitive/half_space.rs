@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::surface::Surface;
+use super::super::surface::Surface;
 
 /// Nearest point of the plane across `normal`, which points out of the half that is filled.
-pub(super) fn closest(normal: &Vector3<f64>, point: Vector3<f64>) -> Surface {
+pub(in crate::contact::shape) fn closest(normal: &Vector3<f64>, point: Vector3<f64>) -> Surface {
     let distance = normal.dot(&point);
     Surface::smooth(point - normal * distance, *normal, distance)
 }

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use nalgebra::Vector3;
 
-use super::grid::DistanceGrid;
+use super::distance_grid::DistanceGrid;
 
 /// Cells of a block along an axis.
 const CELLS: usize = 2;

@@ -2,15 +2,17 @@
 
 use nalgebra::Vector3;
 
+use super::super::bounds::Bounds;
+use super::super::mesh::{Mesh, Sides};
+use super::super::surface::Surface;
 use super::bake_open;
-use super::bounds::Bounds;
 use super::hessian_bounds::HessianBounds;
 use super::lattice::Lattice;
-use super::mesh::{Mesh, Sides};
 use super::planes::{PlaneField, Planes};
-use super::surface::Surface;
+use super::tricubic::Tricubic;
 use crate::error::{Error, Result, check_finite, check_positive};
-use crate::math::lane::{Kernel, Lane};
+use crate::math::lane::Lane;
+use crate::math::lanes::{KernelOfFour, call_of_four};
 
 /// Most nodes of a grid: 2²⁷, half a gigabyte.
 pub const NODE_LIMIT: u64 = 1 << 27;
@@ -152,74 +154,51 @@ impl DistanceGrid {
     /// The surface as seen from a point: the interpolated distance and its direction of steepest growth, which has no jumps. None outside
     /// the grid, where the surface is farther than the band.
     pub fn closest(&self, point: Vector3<f64>) -> Option<Surface> {
-        let (distance, gradient) = f64::call(Interpolate { grid: self, point })?;
+        let (distance, gradient) = call_of_four(Interpolate { grid: self, point })?;
         let normal = gradient.try_normalize(0.0).unwrap_or_else(Vector3::x);
         Some(Surface::smooth(point - normal * distance, normal, distance))
     }
 
-    /// The value, and its slopes in cells; None outside the grid.
-    #[inline(always)]
-    fn interpolate(&self, point: &Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
-        let place = (point - self.low) / self.cell;
-        let x = Taps::new(place.x, self.counts[0])?;
-        let y = Taps::new(place.y, self.counts[1])?;
-        let z = Taps::new(place.z, self.counts[2])?;
-        Some(self.interpolated([&x, &y, &z]))
-    }
-
-    /// The value and its slopes in cells: summed along y, then z, the four nodes of a row side by side, and last along x.
-    #[inline(always)]
-    fn interpolated(&self, [x, y, z]: [&Taps; 3]) -> (f64, Vector3<f64>) {
-        let (mut value, mut along_y, mut along_z) = ([0.0; 4], [0.0; 4], [0.0; 4]);
-        for k in 0..4 {
-            let (mut sum, mut slope) = ([0.0; 4], [0.0; 4]);
-            for j in 0..4 {
-                let row = self.row(x.first, y.first + j, z.first + k);
-                for i in 0..4 {
-                    let node = f64::from(row[i]);
-                    sum[i] += y.weights[j] * node;
-                    slope[i] += y.slopes[j] * node;
-                }
-            }
-            for i in 0..4 {
-                value[i] += z.weights[k] * sum[i];
-                along_y[i] += z.weights[k] * slope[i];
-                along_z[i] += z.slopes[k] * sum[i];
-            }
+    /// The same if the surface is nearer than `within` (m); else a distance that it surely has, m. `slope` bounds the field's.
+    pub(in crate::contact::shape) fn closest_within(
+        &self,
+        point: Vector3<f64>,
+        within: f64,
+        slope: f64,
+    ) -> std::result::Result<Surface, f64> {
+        let outside = || self.clearance(&point);
+        let least = self.by_node(&self.place(&point), slope).ok_or_else(outside)?;
+        if least >= within {
+            return Err(least);
         }
-        let dot = |a: &[f64; 4], b: &[f64; 4]| (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
-        let gradient = Vector3::new(dot(&x.slopes, &value), dot(&x.weights, &along_y), dot(&x.weights, &along_z));
-        (dot(&x.weights, &value), gradient)
-    }
-
-    /// Four nodes along x. Beyond the last node of an axis it is the last one again.
-    #[inline]
-    fn row(&self, i: usize, j: usize, k: usize) -> [f32; 4] {
-        let [nx, ny, nz] = self.counts.map(|count| count as usize);
-        let from = (k.min(nz - 1) * ny + j.min(ny - 1)) * nx;
-        match self.values[from + i..from + nx].first_chunk::<4>() {
-            Some(row) => *row,
-            None => std::array::from_fn(|node| self.values[from + (i + node).min(nx - 1)]),
-        }
+        let surface = self.closest(point).ok_or_else(outside)?;
+        if surface.distance < within { Ok(surface) } else { Err(surface.distance) }
     }
 
     /// The interpolated distance, m; `within` where the nearest node tells that it is no less; outside the grid what is surely there. `slope` bounds the
     /// field's.
-    pub(super) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
-        if self.by_node(&point, slope).is_some_and(|at_least| at_least >= within) {
+    pub(in crate::contact::shape) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
+        if self.by_node(&self.place(&point), slope).is_some_and(|at_least| at_least >= within) {
             return within;
         }
         self.closest(point).map_or_else(|| self.clearance(&point), |surface| surface.distance)
     }
 
-    /// A distance that the surface surely has from a point, m, by the nearest node alone. `slope` bounds the field's.
-    pub(in crate::contact) fn at_least(&self, point: &Vector3<f64>, slope: f64) -> f64 {
-        self.by_node(point, slope).unwrap_or_else(|| self.clearance(point))
+    /// A place in cells from the lowest node.
+    #[inline(always)]
+    fn place(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        (point - self.low) / self.cell
     }
 
-    /// The same; None outside the grid.
-    fn by_node(&self, point: &Vector3<f64>, slope: f64) -> Option<f64> {
-        let place = (point - self.low) / self.cell;
+    #[inline(always)]
+    fn field(&self) -> Tricubic<'_> {
+        Tricubic { values: &self.values, counts: self.counts }
+    }
+
+    /// A distance that the surface surely has from a place in cells, m, by the nearest node alone; None outside the grid. `slope` bounds the
+    /// field's.
+    #[inline(always)]
+    fn by_node(&self, place: &Vector3<f64>, slope: f64) -> Option<f64> {
         let is_inside = (0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= f64::from(self.counts[axis] - 1));
         is_inside.then(|| {
             let [i, j, k] = [0, 1, 2].map(|axis| (place[axis] + 0.5) as usize);
@@ -232,12 +211,12 @@ impl DistanceGrid {
     /// An upper bound on the norm of the field's Hessian within `reach` metres of a point, 1/m: the gradient changes no faster. None where that leaves the
     /// grid, or is too far.
     pub(in crate::contact) fn hessian_bound(&self, point: &Vector3<f64>, reach: f64) -> Option<f64> {
-        self.hessian_bounds.about(self, &((point - self.low) / self.cell), reach / self.cell)
+        self.hessian_bounds.about(self, &self.place(point), reach / self.cell)
     }
 
     /// The field's value (m) and gradient at a point; None outside the grid.
     pub(in crate::contact) fn with_gradient(&self, point: &Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
-        f64::call(Interpolate { grid: self, point: *point }).map(|(value, gradient)| (value, gradient / self.cell))
+        call_of_four(Interpolate { grid: self, point: *point }).map(|(value, gradient)| (value, gradient / self.cell))
     }
 
     /// A distance that the surface surely has from a point outside the grid, m.
@@ -257,72 +236,18 @@ impl DistanceGrid {
     }
 }
 
-/// [`DistanceGrid::interpolate`], compiled for the machine's instructions.
+/// The field's value, and its slopes in cells, at a point; None outside the grid.
 struct Interpolate<'a> {
     grid: &'a DistanceGrid,
     point: Vector3<f64>,
 }
 
-impl Kernel for Interpolate<'_> {
+impl KernelOfFour for Interpolate<'_> {
     type Output = Option<(f64, Vector3<f64>)>;
+
     #[inline(always)]
-    fn run(self) -> Self::Output {
-        self.grid.interpolate(&self.point)
-    }
-}
-
-/// The four nodes along an axis that a place between two of them is interpolated from, by Catmull and Rom's cubic: through all nodes, with
-/// slopes that go on from cell to cell. Beyond the last nodes what is interpolated goes on straight.
-struct Taps {
-    /// The first of the four. Those that the axis does not have weigh nothing.
-    first: usize,
-    weights: [f64; 4],
-    /// What the weights grow by a cell.
-    slopes: [f64; 4],
-}
-
-impl Taps {
-    /// For a place in cells from the first of `count` nodes. None outside of them.
-    #[inline(always)]
-    fn new(place: f64, count: u32) -> Option<Self> {
-        let last = count as usize - 1;
-        if !(place >= 0.0 && place <= last as f64) {
-            return None;
-        }
-        let base = (place as usize).min(last - 1);
-        let u = place - base as f64;
-        // Of the node before, the two around the place, and the one after.
-        let weights = [
-            -0.5 * u * (1.0 - u) * (1.0 - u),
-            1.0 + u * u * (1.5 * u - 2.5),
-            u * (0.5 + u * (2.0 - 1.5 * u)),
-            -0.5 * u * u * (1.0 - u),
-        ];
-        let slopes = [-0.5 * (1.0 - u) * (1.0 - 3.0 * u), u * (4.5 * u - 5.0), 0.5 + u * (4.0 - 4.5 * u), u * (1.5 * u - 1.0)];
-        if base > 0 && base + 2 <= last {
-            return Some(Self { first: base - 1, weights, slopes });
-        }
-        Some(Self::at_end(base, count as usize, weights, slopes))
-    }
-
-    /// For a cell at an end of the axis, from the taps of a cell between others.
-    #[cold]
-    fn at_end(base: usize, count: usize, mut weights: [f64; 4], mut slopes: [f64; 4]) -> Self {
-        // What weighs nothing beyond one end gives way to a node at the other.
-        let (whole, kept) = (base as isize - 1, (count as isize - 4).max(0));
-        let first = whole.clamp(0, kept);
-        for taps in [&mut weights, &mut slopes] {
-            if base == 0 {
-                let [a, b, c, d] = *taps;
-                *taps = [0.0, b + 2.0 * a, c - a, d];
-            }
-            if base + 2 >= count {
-                let [a, b, c, d] = *taps;
-                *taps = [a, b - d, c + 2.0 * d, 0.0];
-            }
-            if first > whole { taps.rotate_left((first - whole) as usize) } else { taps.rotate_right((whole - first) as usize) }
-        }
-        Self { first: first as usize, weights, slopes }
+    fn run<T: Lane, const REGISTERS: usize>(self) -> Self::Output {
+        self.grid.field().at::<T, REGISTERS>(&self.grid.place(&self.point))
     }
 }
 

@@ -5,9 +5,9 @@ use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
-use super::bounds::Bounds;
+use super::super::bounds::Bounds;
 use super::flat_triangle::FlatTriangle;
-use super::mesh_normals::Normals;
+use super::normals::Normals;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// Which sides of a mesh keep strands off.
@@ -40,7 +40,7 @@ pub struct Mesh {
     /// Those at the step's start while it moves.
     pub(super) normals_before: Normals,
     /// For each edge of each triangle the triangle on its other side; `u32::MAX` at a rim.
-    pub(super) neighbours: Box<[[u32; 3]]>,
+    pub(in crate::contact::shape) neighbours: Box<[[u32; 3]]>,
     pub(super) bvh: Bvh,
     /// A ball around each triangle over the step: its centre and radius.
     pub(super) balls: Vec<(Vector3<f64>, f64)>,
@@ -88,7 +88,7 @@ impl Mesh {
         Ok(Self::assembled(vertices, triangles, sides, neighbours))
     }
 
-    /// A mesh for [`DistanceGrid::bake`](super::DistanceGrid::bake), which takes nearly closed ones: solid where every edge is on two
+    /// A mesh for [`DistanceGrid::bake`](crate::contact::shape::DistanceGrid::bake), which takes nearly closed ones: solid where every edge is on two
     /// triangles that run along it in opposite directions, else one of two sides.
     ///
     /// # Errors

@@ -6,9 +6,9 @@
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::{BvhNode, TraversalAction};
 
-use super::bounds::Bounds;
+use super::super::bounds::Bounds;
 use super::flat_triangle::FlatTriangle;
-use super::mesh::Mesh;
+use super::triangle_mesh::Mesh;
 
 /// Triangles whose boxes over the step meet a box.
 #[derive(Debug, Clone)]

@@ -7,10 +7,10 @@
 
 use nalgebra::Vector3;
 
-use super::surface::Surface;
+use super::super::surface::Surface;
 
 /// Nearest point of the ellipsoid of semi-axes `e`. Where several are nearest (from the middle), one of them.
-pub(super) fn closest(e: &Vector3<f64>, point: Vector3<f64>) -> Surface {
+pub(in crate::contact::shape) fn closest(e: &Vector3<f64>, point: Vector3<f64>) -> Surface {
     let y = point.abs();
     let shortest = e.imin();
     let squares = e.component_mul(e);

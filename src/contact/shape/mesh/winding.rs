@@ -33,7 +33,7 @@ struct Cluster {
 
 /// A surface prepared for its winding numbers.
 #[derive(Debug)]
-pub(super) struct Winding {
+pub(in crate::contact::shape) struct Winding {
     triangles: Vec<[Vector3<f64>; 3]>,
     clusters: Vec<Cluster>,
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::surface::Surface;
+use super::super::surface::Surface;
 
 /// Nearest point of the capsule of radius `radius` about the segment from `a` to `b`. From its axis the way out is across the axis.
-pub(super) fn closest(a: Vector3<f64>, b: Vector3<f64>, radius: f64, point: Vector3<f64>) -> Surface {
+pub(in crate::contact::shape) fn closest(a: Vector3<f64>, b: Vector3<f64>, radius: f64, point: Vector3<f64>) -> Surface {
     let axis = b - a;
     let place = ((point - a).dot(&axis) / axis.norm_squared()).clamp(0.0, 1.0);
     let centre = a + axis * place;
@@ -16,6 +16,6 @@ pub(super) fn closest(a: Vector3<f64>, b: Vector3<f64>, radius: f64, point: Vect
 }
 
 /// A unit vector across another.
-pub(super) fn across(axis: &Vector3<f64>) -> Vector3<f64> {
+pub(in crate::contact::shape) fn across(axis: &Vector3<f64>) -> Vector3<f64> {
     axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize()
 }

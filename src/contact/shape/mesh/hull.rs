@@ -4,14 +4,14 @@ use nalgebra::Vector3;
 use parry3d_f64::math::Vector;
 use parry3d_f64::transformation::try_convex_hull;
 
-use super::mesh::{Mesh, Sides};
+use super::triangle_mesh::{Mesh, Sides};
 use crate::error::{Error, Result, check_finite};
 
 /// The hull of points.
 ///
 /// # Errors
 /// [`Error::InvalidArgument`] when a number is not finite, there are fewer than four points, or they span no volume.
-pub(super) fn of_points(points: &[Vector3<f64>]) -> Result<Mesh> {
+pub(in crate::contact::shape) fn of_points(points: &[Vector3<f64>]) -> Result<Mesh> {
     for (index, point) in points.iter().enumerate() {
         for axis in 0..3 {
             check_finite(|| format!("points[{index}][{axis}]"), point[axis])?;

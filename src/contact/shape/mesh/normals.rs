@@ -6,8 +6,8 @@
 
 use nalgebra::Vector3;
 
-use super::mesh::RIM;
 use super::triangle::Part;
+use super::triangle_mesh::RIM;
 use crate::math::rotation::arc_tangent;
 
 /// Normals of a mesh's faces and vertices; those of edges are made when they are asked for.

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::surface::Surface;
+use super::super::surface::Surface;
 
 /// Nearest point of a sphere of radius `radius` about the origin. From the centre the way out is along x.
-pub(super) fn closest(radius: f64, point: Vector3<f64>) -> Surface {
+pub(in crate::contact::shape) fn closest(radius: f64, point: Vector3<f64>) -> Surface {
     let distance = point.norm();
     let normal = if distance > 0.0 { point / distance } else { Vector3::x() };
     Surface::smooth(normal * radius, normal, distance - radius)
