@@ -1,7 +1,7 @@
 //! Debug drawing by callback.
 
 use std::ffi::c_void;
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use nalgebra::Vector3;
 
@@ -111,6 +111,7 @@ unsafe impl Versioned for shx_debug_draw_def {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
+    use std::mem::offset_of;
     assert!(size_of::<shx_debug_vertex>() == 32 && offset_of!(shx_debug_vertex, color) == 24);
     assert!(size_of::<shx_debug_draw_def>() == 184 && offset_of!(shx_debug_draw_def, lines) == 160);
 };

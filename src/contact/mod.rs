@@ -3,6 +3,7 @@
 //! Files:
 //!
 //! - `body.rs`: Bodies: shapes that strands stay outside of, with their poses and motions.
+//! - `body_at.rs`: A body during a substep: where it is at its start and end, and what is asked of it there.
 //! - `contact_point.rs`: Contact points: a material point of a strand, a strand's curve at one time, and a contact point between a strand and its partner.
 //! - `options.rs`: Options of contact: the model, its tolerances, and the contact properties of strands.
 //! - `permitted_overlap.rs`: Permitted overlaps of a strand with others and with bodies, along its length.
@@ -15,6 +16,7 @@
 //! - `solver/`: The contact-space problem and its solution: the forces with which all laws hold.
 
 pub mod body;
+pub mod body_at;
 pub mod broad_phase;
 pub mod ccd;
 pub mod constraint;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::body::BodyAt;
+use super::body_at::BodyAt;
 use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::Surface;

@@ -1,27 +1,37 @@
 //! A strand during a step in which contacts or bilateral constraints act on it: its attached material points, and its state of
 //! motion in the island's iteration.
+//!
+//! Files:
+//!
+//! - `rest.rs`: Strands that rest while others of their island go on.
+//! - `state.rs`: States of a strand while its step is solved: what its pack has to do, by which formula, what it may touch, where it ends.
+//! - `strands.rs`: Constrained strands by their numbers, or one alone.
 
-use std::ops::Index;
+mod rest;
+mod state;
+mod strands;
+
 use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Matrix3, Vector3};
 
+pub use state::{FirstHalf, Formula, LookAhead, Meets, StrandEnd};
+pub use strands::{Solitary, Strands};
+
 use super::island::ending::Ending;
 use super::island::{Island, Progress};
 use crate::chain::load::MaterialPoint;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::step_constraint::EndState;
 use crate::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
-use crate::contact::narrow_phase::strand_body::{self, PathBounds, Span};
+use crate::contact::narrow_phase::path_bounds::PathBounds;
+use crate::contact::narrow_phase::strand_body::{self, Span};
 use crate::contact::options::StrandContact;
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::solver::contact_space::read_block;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::step::constrained_step::{ConstrainedStep, WorldConstraint};
-
-/// A strand that was woken this often does not rest again: two neighbours could wake each other in turn for ever.
-const MAX_WAKES: u32 = 2;
 
 /// Contacts closer than this along a strand, m, with normals within this cosine, are one.
 const ONE_PLACE: f64 = 1e-6;
@@ -48,73 +58,6 @@ pub struct Attachment {
     pub material_point: MaterialPoint,
     /// Whether the strand's linear model includes it; the others come last in the list.
     pub modelled: bool,
-}
-
-/// What a strand's pack has to do in the first half of an iteration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FirstHalf {
-    /// Nothing: the strand rests, or its island has ended.
-    None,
-    /// It was done ahead of time. It is repeated if another strand of the pack has it to do: a pack is eliminated as a whole.
-    Done,
-    /// It has to be done.
-    ToDo,
-}
-
-/// The first half of a strand's first iteration, which predicts whether something presses it. Until that iteration its constraints
-/// stay as they were for this: a ring's point, looked for once more from where it is, differs in its last bits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum LookAhead {
-    /// It was not done, or the strand's step has begun again since.
-    #[default]
-    None,
-    /// It was done.
-    Done,
-    /// It was done, but is repeated: a strand of its pack that iterates at another time would overwrite it.
-    ToRepeat,
-}
-
-/// The integration formula of a constrained strand's step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Formula {
-    /// That of the setting.
-    #[default]
-    AsSet,
-    /// Its step is to begin again, by implicit Euler: until then the strand stays where it is.
-    ToBeginAgain,
-    /// Implicit Euler, whatever the setting.
-    ImplicitEuler,
-}
-
-impl Formula {
-    /// Whether a step that begins with it is one of first order, by implicit Euler.
-    pub fn is_first_order(self) -> bool {
-        self != Self::AsSet
-    }
-}
-
-/// What a strand may touch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Meets {
-    /// It takes no part in contact.
-    #[default]
-    Nothing,
-    /// Bodies only: while bodies still follow it, other strands would hold it back.
-    Bodies,
-    /// Bodies, and other strands.
-    All,
-}
-
-/// Where a strand ends its step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum StrandEnd {
-    /// As it was when the step began: no iteration was done for it.
-    #[default]
-    AsBegun,
-    /// Where its iteration has come to.
-    Iterated,
-    /// It moves with its root instead.
-    WithRoot,
 }
 
 /// A constrained strand.
@@ -374,53 +317,6 @@ impl ConstrainedStrand {
         self.modelled = self.attachments.partition_point(|attachment| attachment.modelled);
     }
 
-    /// Before an iteration: decides whether this strand rests.
-    fn choose_rest(&mut self, island: &Island) {
-        let constraint = |end: &Attachment| &island.constraints[end.constraint as usize];
-        // A contact that is no longer dormant must be in its model.
-        let lacks = |end: &Attachment| !end.modelled && !constraint(end).is_dormant();
-        self.resting = if !island.may_rest {
-            false
-        } else if self.resting {
-            let wakes = self.attachments.iter().any(|end| lacks(end) || constraint(end).standing.wakes[usize::from(end.second)]);
-            self.woken += u32::from(wakes);
-            !wakes
-        } else {
-            self.woken < MAX_WAKES
-                && island.progress.iterations > 0
-                && self.residual <= island.progress.rest
-                && self.attachments.iter().all(|end| {
-                    let standing = &constraint(end).standing;
-                    !lacks(end) && standing.holds && standing.law_residual <= island.rest_residual
-                })
-        };
-    }
-
-    /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have
-    /// the forces `of_constraint` (on their first ends), by the linear model of its last iteration.
-    pub fn resting_displacement(
-        &self,
-        point: u32,
-        is_included: &[bool],
-        of_constraint: impl Fn(usize) -> Vector3<f64>,
-    ) -> Vector3<f64> {
-        // Symmetric: three columns are three rows.
-        let size = 3 * self.modelled;
-        let rows = &self.step.delassus.columns[3 * point as usize * size..][..3 * size];
-        let mut sum = Vector3::zeros();
-        for (k, (end, taken)) in self.attachments.iter().zip(&self.forces).enumerate() {
-            let constraint = end.constraint as usize;
-            if is_included[constraint] {
-                let force = of_constraint(constraint);
-                let change = if end.second { -force } else { force } - Vector3::from(*taken);
-                for (axis, row) in rows.chunks_exact(size).enumerate() {
-                    sum[axis] += row[3 * k] * change.x + row[3 * k + 1] * change.y + row[3 * k + 2] * change.z;
-                }
-            }
-        }
-        sum
-    }
-
     fn pull(&mut self, island: &Island) {
         self.forces.clear();
         self.forces.extend(self.attachments[..self.modelled].iter().map(|attachment| {
@@ -495,23 +391,6 @@ impl ConstrainedStrand {
     /// Displacement of an attached point in this iteration without forces.
     pub fn unconstrained(&self, point: u32) -> Vector3<f64> {
         self.step.unconstrained[point as usize].into()
-    }
-}
-
-/// Constrained strands by their indices.
-pub trait Strands: Index<usize, Output = ConstrainedStrand> {}
-
-impl<S: Index<usize, Output = ConstrainedStrand> + ?Sized> Strands for S {}
-
-/// The strand of an island that has no other, by whatever index.
-#[derive(Debug)]
-pub struct Solitary<'a>(pub &'a ConstrainedStrand);
-
-impl Index<usize> for Solitary<'_> {
-    type Output = ConstrainedStrand;
-    #[inline(always)]
-    fn index(&self, _: usize) -> &ConstrainedStrand {
-        self.0
     }
 }
 

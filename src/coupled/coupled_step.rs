@@ -7,7 +7,7 @@ use super::island::Island;
 use super::island::problem::ProblemScratch;
 use super::packs::{Packs, Work};
 use super::solitary::Member;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::step_constraint::StepConstraint;
 use crate::contact::options::ContactOptions;
 use crate::math::disjoint_sets::DisjointSets;
@@ -148,7 +148,7 @@ impl CoupledStep {
 
     /// Whether nothing is left to do for any island.
     pub fn is_done(&self) -> bool {
-        self.islands().iter().all(|island| island.done && !island.is_to_be_tried_again())
+        self.islands().iter().all(|island| island.phase.has_ended() && !island.is_to_be_tried_again())
     }
 
     /// Goes on with islands that were solved roughly. True if there is more to do.

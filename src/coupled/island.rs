@@ -6,6 +6,7 @@
 //! - `dormant.rs`: Dormant contacts, left out of an island's contact problems for a while.
 //! - `ending.rs`: How islands' iterations end: further attempts for islands that have not converged.
 //! - `kink.rs`: Strands that lie exactly along what presses them.
+//! - `phase.rs`: Where the iteration of an island is.
 //! - `problem.rs`: The contact problem of an island's Newton iteration: the constraints in it, and its solution.
 //! - `pushing.rs`: Removes the depth of yielding contacts.
 
@@ -13,6 +14,7 @@ mod convergence;
 mod dormant;
 pub mod ending;
 pub mod kink;
+mod phase;
 pub mod problem;
 mod pushing;
 
@@ -20,7 +22,7 @@ use nalgebra::Vector3;
 
 use super::constrained_strand::{Attachment, ConstrainedStrand, LookAhead, Strands};
 use crate::chain::load::MaterialPoint;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::law::Law;
 use crate::contact::constraint::law::coefficient::Coefficient;
 use crate::contact::constraint::law::contact::Friction;
@@ -31,6 +33,7 @@ use crate::contact::options::{ContactModel, ContactOptions};
 use crate::contact::solver::contact_space::End;
 use crate::contact::solver::gauss_seidel::Report;
 use ending::{Ending, Outcome};
+pub use phase::Phase;
 
 /// The residual that a rough solve leaves, as a fraction of the size of the problem; the same for the penalty models.
 const ROUGH: f64 = 1e-3;
@@ -124,10 +127,8 @@ pub struct Island {
     pub is_solitary: bool,
     /// Newton iterations until the next search for contacts, at most.
     pub iterations_left: u32,
-    /// It is solved roughly until its contacts are known: [`Island::refine`] goes on to the full tolerance.
-    pub rough: bool,
-    /// Its iteration has ended.
-    pub done: bool,
+    /// Where its iteration is.
+    pub phase: Phase,
     /// Depth of overlap left, as far as it was searched for.
     pub left: Left,
     /// Its strands take the substep in substeps: their present end is dropped.
@@ -152,14 +153,14 @@ impl Island {
     pub fn clear(&mut self) {
         self.strands.clear();
         self.constraints.clear();
-        (self.sweeps, self.done, self.rough, self.progress) = (0, false, false, Progress::default());
+        (self.sweeps, self.phase, self.progress) = (0, Phase::default(), Progress::default());
         (self.left, self.is_subdivided) = (Left::default(), false);
     }
 
     /// How far it has come, if it goes on and has a single strand. (All islands are formed again when new contacts are found; one
     /// without any goes on from there. Strands that wait for others begin again with these.)
     pub fn unfinished(&self) -> Option<Progress> {
-        (!self.done && self.strands.len() == 1).then(|| self.progress.clone())
+        (!self.phase.has_ended() && self.strands.len() == 1).then(|| self.progress.clone())
     }
 
     /// Goes on from there, but looks at bodies' surfaces as often as a new one ([`LOOKS`]).
@@ -177,14 +178,14 @@ impl Island {
 
     /// Goes on from a rough solve. True if there is more to do.
     pub fn refine(&mut self) -> bool {
-        let goes_on = self.rough && self.progress.ending.outcome >= Outcome::AttemptConverged;
+        let goes_on = self.phase.is_rough() && self.progress.ending.outcome >= Outcome::AttemptConverged;
         if goes_on {
             // Strands rested by the rough tolerance.
-            (self.done, self.progress.rest) = (false, -1.0);
+            self.progress.rest = -1.0;
             self.progress.ending.lower_to(Outcome::GoodEnough);
             self.begin_to_count(self.progress.iterations);
         }
-        self.rough = false;
+        self.phase = if self.phase.has_ended() && !goes_on { Phase::Ended } else { Phase::Full };
         goes_on
     }
 
@@ -195,7 +196,7 @@ impl Island {
             ContactModel::Coulomb => options.residual,
             ContactModel::Penalty | ContactModel::RegularisedPenalty | ContactModel::AtPoints => SOFT * size,
         };
-        if self.rough { in_the_end.max(ROUGH * size) } else { in_the_end }
+        if self.phase.is_rough() { in_the_end.max(ROUGH * size) } else { in_the_end }
     }
 
     /// Finds the points of every constraint in its strands' sorted attachments.
@@ -248,7 +249,9 @@ impl Island {
 
     /// Has it solved roughly first, if it has contacts and is large.
     pub fn begin_roughly(&mut self) {
-        self.rough = self.strands.len() > FEW && self.has_contacts();
+        if self.strands.len() > FEW && self.has_contacts() {
+            self.phase = if self.phase.has_ended() { Phase::RoughEnded } else { Phase::Rough };
+        }
     }
 
     /// Whether the constraints at these ends hold without yielding.

@@ -73,7 +73,7 @@ impl CoupledStep {
                 break;
             }
             let coupled = islands.iter_mut().filter(|island| !island.is_solitary);
-            for island in coupled.filter(|island| island.done && island.progress.ending.stopped == Stopped::No) {
+            for island in coupled.filter(|island| island.phase.has_ended() && island.progress.ending.stopped == Stopped::No) {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
                     for kink in &kinks {
@@ -89,7 +89,7 @@ impl CoupledStep {
                     }
                 }
             }
-            let goes = |island: &Island| !island.is_solitary && !island.done;
+            let goes = |island: &Island| !island.is_solitary && !island.phase.has_ended();
             if !islands.iter().any(goes) {
                 break;
             }

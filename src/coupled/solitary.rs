@@ -30,7 +30,7 @@ struct Spent {
 
 /// Whether a strand takes part in the next iteration.
 fn goes_on(constrained: &ConstrainedStrand, island: &Island) -> bool {
-    !island.done && island.iterations_left > 0 && constrained.formula != Formula::ToBeginAgain
+    !island.phase.has_ended() && island.iterations_left > 0 && constrained.formula != Formula::ToBeginAgain
 }
 
 impl CoupledStep {
@@ -43,7 +43,7 @@ impl CoupledStep {
             if stopped != Stopped::No {
                 return islands.iter_mut().filter(|island| island.is_solitary).for_each(|island| island.stop(stopped));
             }
-            distribute_work(islands, |island| !island.done, meter.left());
+            distribute_work(islands, |island| !island.phase.has_ended(), meter.left());
             let spent = std::sync::Mutex::new(Spent::default());
             let begins = Instant::now();
             let mut next_islands = islands.iter_mut().enumerate();
@@ -69,7 +69,7 @@ impl CoupledStep {
             let islands = &self.islands[..self.island_count];
             let waits = |constrained: &ConstrainedStrand| {
                 let island = &islands[constrained.island as usize];
-                constrained.is_solitary && !island.done && island.iterations_left > 0
+                constrained.is_solitary && !island.phase.has_ended() && island.iterations_left > 0
             };
             if !meter.is_halted() && !self.strands[..self.count].iter().any(waits) {
                 return;
@@ -87,7 +87,7 @@ fn iterate_pack<S: Scratch>(Work { pack, members }: &mut Work<Member>, stepping:
     let mut contact = 0.0;
     while !meter.is_halted() {
         for (constrained, island) in members.iter_mut().flatten() {
-            if !island.done || island.progress.ending.stopped != Stopped::No || island.iterations_left == 0 {
+            if !island.phase.has_ended() || island.progress.ending.stopped != Stopped::No || island.iterations_left == 0 {
                 continue;
             }
             if let Some(kink) = island.kinks(&Solitary(constrained), options).first() {
@@ -113,14 +113,16 @@ fn iterate_pack<S: Scratch>(Work { pack, members }: &mut Work<Member>, stepping:
             let strand = Solitary(constrained);
             island.find_ends(&strand);
             island.solve_or_diverge(&strand, options, h, scratch.as_mut(), &alone, meter);
-            let may_begin_again = second_order && !island.done && island.progress.iterations < options.max_iterations;
+            let may_begin_again =
+                second_order && !island.phase.has_ended() && island.progress.iterations < options.max_iterations;
             if may_begin_again && island.presses() {
                 constrained.mark_pressed();
             }
         }
         contact += solves.elapsed().as_secs_f64();
         // (Without a solved contact problem there are no forces.)
-        let at_work = running(members).filter(|(lane, (_, island))| goes[*lane] && !island.done && !meter.is_halted());
+        let at_work =
+            running(members).filter(|(lane, (_, island))| goes[*lane] && !island.phase.has_ended() && !meter.is_halted());
         let at_work = at_work.map(|(lane, (constrained, island))| (lane, &**island, &mut **constrained));
         let advanced = second_half(pack, setting, at_work, meter);
         for (_, (constrained, _)) in running(members).filter(|(lane, _)| advanced[*lane]) {
@@ -129,7 +131,8 @@ fn iterate_pack<S: Scratch>(Work { pack, members }: &mut Work<Member>, stepping:
         if meter.is_halted() {
             break;
         }
-        for (_, (constrained, island)) in running(members).filter(|(lane, (_, island))| goes[*lane] && !island.done) {
+        for (_, (constrained, island)) in running(members).filter(|(lane, (_, island))| goes[*lane] && !island.phase.has_ended())
+        {
             island.check(&Solitary(constrained), options, setting.options.tolerance, h);
         }
     }

@@ -36,7 +36,7 @@ pub(crate) use drag::check_target;
 pub(crate) use element::check_applied;
 pub(crate) use trim::{check_cut, cut_lengths};
 
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::narrow_phase::strand_body::Span;
 use crate::error::{Error, Result, check_finite, check_not_negative, check_positive};
 use crate::math::frame::Frame;

@@ -7,7 +7,7 @@ use super::constrained_substep::{ConstrainedSubstep, ContactTally};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{Constrained, Strand};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::point_surfaces::StrandSurfaces;

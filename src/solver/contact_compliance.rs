@@ -22,7 +22,7 @@ use super::Solver;
 use super::bodies::{Contact, ContactPartner};
 use super::constraints::Constraint;
 use super::id::BodyId;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::law::coefficient::Coefficient;
 use crate::contact::shape::Bounds;
 use crate::error::{Result, check_not_negative, check_positive};

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use super::fast_bodies::Passing;
 use super::strand::Strand;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};

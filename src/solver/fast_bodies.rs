@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 
 use super::Solver;
 use super::strand::Strand;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::shape::Bounds;
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;

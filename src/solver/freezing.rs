@@ -8,7 +8,7 @@ use super::constraints::ConstraintStatus;
 use super::crossing::Curve;
 use super::id::{BodyId, StrandId};
 use super::strand::{self, Strand};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::shape::Bounds;
 #[cfg(doc)]
 use crate::error::Error;

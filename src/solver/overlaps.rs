@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::Solver;
 use super::deep_places::CurrentScene;
 use super::id::{BodyId, StrandId};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::contact_point::Partner;
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::error::{Error, Result};

@@ -3,7 +3,7 @@
 use super::Solver;
 use super::id::StrandId;
 use super::strand::Strand;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result};
 use crate::groom::pose::{

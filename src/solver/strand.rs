@@ -10,7 +10,7 @@ use super::freezing::Frozen;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
 use super::sections;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::options::StrandContact;
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::shape::Bounds;

@@ -5,7 +5,7 @@
 //! continues with the same bits.
 
 use super::strand::{Constrained, Strand};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::ccd::path_clearance::{self, ClearanceScratch, FreePath};
 use crate::math::frame::Frame;
 use crate::meter::Meter;

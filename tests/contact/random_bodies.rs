@@ -1,9 +1,10 @@
 //! What the tests share: random numbers, meshes, strands.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::contact::body_at::BodyAt;
 use superhelix::internals::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
-use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
+use superhelix::internals::contact::narrow_phase::path_bounds::PathBounds;
+use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratch, Span, contacts};
 use superhelix::internals::math::vector::{Mat3, Vec3};
 use superhelix::internals::rod::kinematics::{ElementState, element_state};
 use superhelix::{Frame, Shape};

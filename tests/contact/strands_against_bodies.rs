@@ -1,9 +1,10 @@
 //! Touches along strands at rest, against dense sampling of arclength.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::contact::body_at::BodyAt;
 use superhelix::internals::contact::contact_point::{ContactPoint, Partner};
-use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratch, PathBounds, Span, contacts};
+use superhelix::internals::contact::narrow_phase::path_bounds::PathBounds;
+use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratch, Span, contacts};
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{Frame, Shape};
 

@@ -1,7 +1,7 @@
 //! Bodies that go through strands within a step, and strands that go through bodies.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::contact::body_at::BodyAt;
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{Frame, Shape};
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::editing::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, StrandShape};
-use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::contact::body_at::BodyAt;
 use superhelix::internals::groom::pose::{PoseScratch, Surroundings};
 use superhelix::{Error, Frame, Freedoms, Shape};
 

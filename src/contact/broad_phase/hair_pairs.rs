@@ -6,11 +6,15 @@
 //!
 //! Files:
 //!
+//! - `contacts.rs`: The contacts of a pair of strands, from the candidates of the last search.
 //! - `knots.rs`: Knots: where ties hold strands together their wisps give way to each other.
 //! - `memory.rs`: What the search for pairs keeps from step to step, saved and restored for snapshots.
+//! - `shared_motion.rs`: The motion that all strands share: that of their roots.
 
+mod contacts;
 mod knots;
 mod memory;
+mod shared_motion;
 
 use std::ops::Range;
 
@@ -19,12 +23,13 @@ use nalgebra::{Matrix3, Vector3};
 use knots::Knots;
 pub use knots::Tie;
 pub(crate) use memory::PairMemory;
+use shared_motion::{RigidMotion, Root, roots_of};
 
 use super::boxes::Grid;
 use super::pieces::{Pieces, PlacedPieces, Wisp};
-use crate::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
+use crate::contact::contact_point::StrandPath;
 use crate::contact::narrow_phase::segment_distance::closest_of_segments;
-use crate::contact::narrow_phase::strand_contacts::{MovingPiece, PairScratch, TwoStrands, relative_motion};
+use crate::contact::narrow_phase::strand_contacts::relative_motion;
 use crate::contact::shape::Bounds;
 use crate::error::{Error, Result, check_not_negative};
 use crate::meter::Meter;
@@ -369,128 +374,8 @@ impl HairPairs {
         &self.groups
     }
 
-    /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m, zero or
-    /// above; no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do
-    /// so for different groups; with the groups in their order, contacts are sorted by first strand, second strand, arclength
-    /// of the first, of the second.
-    pub fn contacts(
-        &self,
-        group: &Group,
-        strands: &[StrandPath],
-        within: f64,
-        scratch: &mut PairScratch,
-        out: &mut Vec<ContactPoint>,
-    ) {
-        let moving = |index: u32| {
-            let piece = &self.pieces.pieces[index as usize];
-            let node = piece.node as usize;
-            MovingPiece {
-                piece,
-                start: [self.carried[node], self.carried[node + 1]],
-                now: [self.now.nodes[node], self.now.nodes[node + 1]],
-                sagitta: self.now.sagittas[index as usize],
-            }
-        };
-        let two = TwoStrands {
-            a: &strands[group.a as usize],
-            b: &strands[group.b as usize],
-            wisp_a: &self.wisps[group.a as usize],
-            wisp_b: &self.wisps[group.b as usize],
-            within: within.min(self.activation),
-            turned: self.turned,
-        };
-        let candidates = self.candidates[group.from as usize..group.to as usize].iter();
-        let first = out.len();
-        two.contacts(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
-        if self.knots.holds(group.a) && self.knots.holds(group.b) {
-            self.gather(group, strands, within, first, out);
-        }
-    }
-
-    /// Removes contacts from `first` on that are in a knot, and reduces the radii of those beside one.
-    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<ContactPoint>) {
-        let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
-        let along = |strand: u32, place: &StrandPoint| strands[strand as usize].now.along(place.element as usize, place.s);
-        let mut kept = first;
-        for index in first..out.len() {
-            let mut contact = out[index];
-            if let Partner::Strand(other) = &contact.partner {
-                let along = [along(group.a, &contact.point), along(group.b, other)];
-                let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
-                contact.gap += (1.0 - fraction) * radii;
-                if fraction < 1.0 && contact.gap > within {
-                    continue;
-                }
-            }
-            out[kept] = contact;
-            kept += 1;
-        }
-        out.truncate(kept);
-    }
-
     /// The counts so far.
     pub fn counts(&self) -> PairCounts {
         self.counts
-    }
-}
-
-/// The pose of a strand's root.
-#[derive(Debug, Clone, Copy)]
-struct Root {
-    origin: Vector3<f64>,
-    frame: Matrix3<f64>,
-}
-
-/// The roots of the strands with a wisp radius.
-fn roots_of<'a>(
-    strands: &[StrandPath<'a>],
-    wisps: &[Wisp],
-    curve: impl Fn(&StrandPath<'a>) -> StrandCurve<'a>,
-    roots: &mut Vec<Root>,
-) {
-    let taking_part = strands.iter().zip(wisps).filter(|(_, wisp)| wisp.radius > 0.0);
-    roots.clear();
-    roots.extend(taking_part.filter_map(|(strand, _)| {
-        let curve = curve(strand);
-        let first = curve.elements.first()?;
-        Some(Root { origin: curve.origin, frame: first.frame_left.into() })
-    }));
-}
-
-/// A rotation and a translation.
-#[derive(Debug)]
-struct RigidMotion {
-    turn: Matrix3<f64>,
-    from: Vector3<f64>,
-    to: Vector3<f64>,
-}
-
-/// Roots share no rotation if their mean rotation is shorter than this (1 for equal rotations).
-const SHARED: f64 = 0.5;
-
-impl RigidMotion {
-    /// The common motion of roots: the mean of their rotations and of their origins. (Not that of the strands' points: two
-    /// strands that pass through each other may look like one body that turned.)
-    fn shared(roots: &[Root], later: &[Root]) -> Self {
-        let (mut from, mut to, mut turns, mut count) = (Vector3::zeros(), Vector3::zeros(), Matrix3::zeros(), 0.0);
-        for (then, now) in roots.iter().zip(later) {
-            let turn = now.frame * then.frame.transpose();
-            if (turn.norm_squared() + then.origin.norm_squared() + now.origin.norm_squared()).is_finite() {
-                (from, to, turns, count) = (from + then.origin, to + now.origin, turns + turn, count + 1.0);
-            }
-        }
-        if count == 0.0 {
-            return Self { turn: Matrix3::identity(), from, to };
-        }
-        let svd = (turns / count).svd(true, true);
-        let turn = match (svd.u, svd.v_t) {
-            (Some(u), Some(v_t)) if svd.singular_values.min() > SHARED && (u * v_t).determinant() > 0.0 => u * v_t,
-            _ => Matrix3::identity(),
-        };
-        Self { turn, from: from / count, to: to / count }
-    }
-
-    fn of(&self, point: &Vector3<f64>) -> Vector3<f64> {
-        self.to + self.turn * (point - self.from)
     }
 }

@@ -19,7 +19,7 @@ use nalgebra::Vector3;
 
 use field::Field;
 
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::shape::{Bounds, Separator, Sides};
 use crate::math::frame::Frame;

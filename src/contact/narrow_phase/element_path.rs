@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::contact_point::StrandCurve;
 use crate::contact::shape::Separator;
 use crate::math::entire::Stumpff;

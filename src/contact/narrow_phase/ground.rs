@@ -5,7 +5,7 @@ use std::cell::Cell;
 use nalgebra::Vector3;
 
 use super::descent::Sample;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::shape::{Ball, Kind, Mesh, Patch, Sides, Surface};
 
 /// A node of an element, where the distance is sampled first.

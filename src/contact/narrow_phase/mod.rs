@@ -8,6 +8,7 @@
 //! - `ground.rs`: The distance of a body from points of an element.
 //! - `helix_distance.rs`: Closest points of two pieces of helices: exact, by Newton's iteration from the closest points of their chords.
 //! - `nearest.rs`: The point of a strand that is nearest to a point, from one nearby.
+//! - `path_bounds.rs`: Boxes around a strand's motion through a step, and around its elements'.
 //! - `segment_distance.rs`: Closest points of two straight segments.
 //! - `strand_body.rs`: Contacts of a strand's elements with a body.
 //! - `strand_contacts.rs`: Contacts between two strands, from pairs of their pieces, exact on the helices.
@@ -19,6 +20,7 @@ pub(super) mod element_path;
 pub(super) mod ground;
 pub mod helix_distance;
 pub mod nearest;
+pub mod path_bounds;
 pub mod segment_distance;
 pub mod strand_body;
 pub mod strand_contacts;

@@ -4,20 +4,32 @@
 //! and slopes there, and refined on the exact helix; overlap of a mesh between them is searched for triangle by triangle
 //! (`undetected_overlap.rs`). Where a piece of the element may have passed through the body within the step, its motion is
 //! swept (`body_sweep.rs`), and the side from which it came counts.
+//!
+//! Files:
+//!
+//! - `found.rs`: What a search of a strand and a body adds to its contacts, and the side of the body on which a strand is kept that ran into it.
+//! - `scratch.rs`: Memory of a search of a strand and a body, kept from call to call.
+
+mod found;
+mod scratch;
 
 use std::cell::Cell;
 
 use nalgebra::Vector3;
 
+pub use scratch::BodySearchScratch;
+use scratch::Piece;
+
 use super::across_edge::across_edge;
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
+use super::path_bounds::PathBounds;
 use super::undetected_overlap;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::ccd::body_sweep;
-use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
-use crate::contact::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
+use crate::contact::contact_point::{ContactPoint, StrandPath};
+use crate::contact::shape::{Ball, Bounds, Kind, Mesh, Sides, Surface, Tube};
 
 /// How much deeper than an element's end or its neighbour a minimum must be to count as a contact of its own, and to what it is found, m:
 /// once the contacts are resolved, nothing in between is deeper than about twice this.
@@ -43,78 +55,6 @@ pub struct Span<'a> {
     pub exempt: f64,
     /// Elements whose contacts are known, and which are passed over. None beyond the list.
     pub unmoved: &'a [bool],
-}
-
-/// Boxes of a strand's motion through a step. Made once per iterate, used for all bodies.
-#[derive(Debug, Clone)]
-pub struct PathBounds {
-    /// Of all of it, world.
-    pub whole: Bounds,
-    elements: Vec<Bounds>,
-}
-
-impl Default for PathBounds {
-    fn default() -> Self {
-        Self { whole: Bounds::EMPTY, elements: Vec::new() }
-    }
-}
-
-impl PathBounds {
-    /// Updates the boxes to a path.
-    pub fn update(&mut self, path: &StrandPath) {
-        self.elements.clear();
-        self.whole = Bounds::EMPTY;
-        for (start, now) in path.start.elements.iter().zip(path.now.elements) {
-            let mut bounds = Bounds::EMPTY;
-            for (element, origin) in [(start, path.start.origin), (now, path.now.origin)] {
-                // An arc lies within half its length of the middle of its ends.
-                let left = origin + Vector3::from(element.origin_left);
-                let right = origin + Vector3::from(element.origin_right());
-                bounds = bounds.union(&Bounds::around(0.5 * (left + right), Vector3::repeat(0.5 * element.length)));
-            }
-            self.whole = self.whole.union(&bounds);
-            self.elements.push(bounds);
-        }
-    }
-}
-
-/// Lists that are used again from call to call.
-#[derive(Debug, Clone, Default)]
-pub struct BodySearchScratch {
-    /// By body and element.
-    regions: Vec<(u32, Vec<Region>)>,
-    patch: Patch,
-    nodes: Vec<Node>,
-    hits: Vec<(f64, Surface)>,
-    pieces: Vec<Piece>,
-    close: Vec<Ball>,
-    more: Vec<Sample<Surface>>,
-}
-
-/// A piece between two places, with what was found there, if the surface is near there, and how often it was halved.
-#[derive(Debug, Clone, Copy)]
-struct Piece {
-    ends: [f64; 2],
-    samples: [Option<Sample<Surface>>; 2],
-    depth: usize,
-}
-
-impl BodySearchScratch {
-    /// What is known of a mesh about an element.
-    fn region(&mut self, body: u32, element: usize) -> &mut Region {
-        let place = match self.regions.iter().position(|(of, _)| *of == body) {
-            Some(place) => place,
-            None => {
-                self.regions.push((body, Vec::new()));
-                self.regions.len() - 1
-            }
-        };
-        let regions = &mut self.regions[place].1;
-        if regions.len() <= element {
-            regions.resize_with(element + 1, Region::default);
-        }
-        &mut regions[element]
-    }
 }
 
 /// Finds the contacts of a strand with a body at the present iterate, up to a gap of `within` (m), and appends them to `out`,
@@ -427,90 +367,6 @@ impl Search<'_, '_> {
             if !seen {
                 self.add(index, &found);
             }
-        }
-    }
-
-    /// Adds overlap between two nodes with triangles that have no contact there.
-    fn add_undetected_overlaps(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
-        for ball in close {
-            // A triangle has one minimum.
-            let of_it =
-                |contact: &ContactPoint| matches!(contact.partner, Partner::Body { feature, .. } if feature == ball.triangle);
-            if self.out[from..].iter().any(|contact| of_it(contact) && contact.point.s >= nodes[0].s) {
-                continue;
-            }
-            if let Some(found) = undetected_overlap::find(ground, path, nodes, ball, self.thickness) {
-                self.scratch.more.push(found);
-            }
-        }
-    }
-
-    fn add(&mut self, index: usize, sample: &Sample<Surface>) {
-        self.push(index, sample.s, &sample.found, sample.value - self.thickness);
-    }
-
-    fn push(&mut self, index: usize, s: f64, surface: &Surface, gap: f64) {
-        self.out.push(ContactPoint {
-            point: StrandPoint { strand: self.path.index, element: index as u32, s },
-            partner: Partner::Body { body: self.body.index, feature: surface.feature },
-            normal: self.body.axes_end * surface.normal,
-            gap,
-            carried: self.body.carried(surface),
-        });
-    }
-
-    /// Keeps a piece of strand that ran into the body on the side from which it came.
-    #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
-    fn keep_side(&mut self, index: usize, path: &ElementPath, piece: f64, from: usize, s: f64, hit: &Surface, ground: &Ground) {
-        /// Cosine of the angle up to which the nearest surface's normal counts as that of the side that was hit.
-        const ALIKE: f64 = 0.7;
-        let (now, _) = path.now.at(s);
-        let gap = hit.normal.dot(&(now - hit.point)) - self.thickness;
-        if gap >= self.within {
-            return;
-        }
-        // It is still on its side where the nearest surface is much like the one that was hit; outside, even where a corner
-        // lies between: hair that is drawn round a chin cuts through it on the straight path of a step. Its depth is then that
-        // of the nearest surface, not that of the plane at the hit.
-        let nearest = ground.ask(|| path.start.at(s).0, now, None).filter(|nearest| {
-            let same = nearest.normal.dot(&hit.normal);
-            same >= ALIKE || same > 0.0 && nearest.distance >= self.thickness
-        });
-        let least = if nearest.is_some() { 0.0 } else { ALIKE };
-        let normal = self.body.axes_end * hit.normal;
-        let mut kept = from;
-        let mut deepest: Option<ContactPoint> = None;
-        for contact in from..self.out.len() {
-            let other = self.out[contact];
-            if (other.point.s - s).abs() > piece || other.normal.dot(&normal) >= least {
-                self.out[kept] = other;
-                kept += 1;
-            } else if deepest.is_none_or(|deepest| other.gap < deepest.gap) {
-                deepest = Some(other);
-            }
-        }
-        self.out.truncate(kept);
-        match nearest {
-            Some(nearest) => {
-                let gap = nearest.distance - self.thickness;
-                let is_beside = |out: &[ContactPoint], gap: f64| {
-                    out.iter().any(|contact| (contact.point.s - s).abs() <= piece && contact.gap <= 0.5 * gap)
-                };
-                // Outside the only contacts are near ones.
-                if gap < 0.0 && !is_beside(&self.out[from..], gap) {
-                    self.push(index, s, &nearest, gap);
-                }
-                // What is deeper in the body, up to its far side, came with it: the plane at the hit separates it.
-                if let Some(behind) =
-                    deepest.filter(|behind| behind.gap < gap.min(0.0) && !is_beside(&self.out[from..], behind.gap))
-                {
-                    let gap = hit.normal.dot(&(path.now.at(behind.point.s).0 - hit.point)) - self.thickness;
-                    if gap < 0.0 {
-                        self.push(index, behind.point.s, hit, gap);
-                    }
-                }
-            }
-            None => self.push(index, s, hit, gap),
         }
     }
 }

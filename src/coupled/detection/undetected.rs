@@ -161,7 +161,7 @@ impl ContactDetection {
 /// visible when they have come nearer to it. (Thousands of such contacts would hold the strands of a tangle.)
 fn leave_wild_ones(undetected: &mut Vec<StepConstraint>, strands: &[ConstrainedStrand], islands: &[Island]) {
     let is_wild = |constrained: u32| {
-        strands[constrained as usize].residual > WILD && !islands[strands[constrained as usize].island as usize].done
+        strands[constrained as usize].residual > WILD && !islands[strands[constrained as usize].island as usize].phase.has_ended()
     };
     let mut ends: Vec<u32> = undetected
         .iter()

@@ -46,7 +46,7 @@ impl Island {
         let enough_for_contacts = match () {
             () if !self.has_contacts() => 0.0,
             () if options.model.is_soft() => SOFT_TOLERANCE,
-            () if self.rough => ROUGH_TOLERANCE,
+            () if self.phase.is_rough() => ROUGH_TOLERANCE,
             () => 0.0,
         };
         let tolerance_asked = tolerance;
@@ -84,7 +84,7 @@ impl Island {
                 Law::Contact(contact) => {
                     let gap = if soft || constraint.deep || constraint.give != Give::No { 0.0 } else { u.dot(&contact.normal) };
                     let exact = soft || constraint.give == Give::Much || law_residual <= asked;
-                    let outside = self.rough || is_outside(gap, options);
+                    let outside = self.phase.is_rough() || is_outside(gap, options);
                     (outside && exact, is_nearly_outside(gap, options))
                 }
             };
@@ -136,20 +136,21 @@ impl Island {
         let stuck = slow || self.progress.beyond || self.has_bilateral() && self.progress.idle > IDLE;
         let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
         // One contact slightly beyond the rough tolerance says nothing about the end.
-        let good = good && !wakes_some || self.rough && slow && enough;
+        let good = good && !wakes_some || self.phase.is_rough() && slow && enough;
         let good = good && !self.push_on(strands, options, step);
         // The host chose to pay for this many iterations.
         let chosen = options.model.is_soft()
             && options.max_iterations <= MAX_CHOSEN_ITERATIONS
             && self.progress.iterations >= options.max_iterations;
-        self.done = good || diverged || stuck || self.progress.iterations >= options.max_iterations;
+        let ends = good || diverged || stuck || self.progress.iterations >= options.max_iterations;
+        self.phase = if ends { self.phase.ended() } else { self.phase.resumed() };
         let is_far = |strand: &u32| strands[*strand as usize].residual > DIVERGED;
         // An island with yielding constraints has not converged, whatever its residual.
         self.progress.ending.outcome = match () {
             () if (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No) => Outcome::Converged,
             () if good => Outcome::AttemptConverged,
-            () if self.done && (enough || chosen) => Outcome::GoodEnough,
-            () if self.done && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
+            () if ends && (enough || chosen) => Outcome::GoodEnough,
+            () if ends && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
             () => Outcome::Unconverged,
         };
     }

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::convergence::ENOUGH_TURN;
-use super::{FEW, Island, LOOKS};
+use super::{FEW, Island, LOOKS, Phase};
 use crate::contact::constraint::step_constraint::{Give, Standing, StepConstraint};
 use crate::contact::options::ContactOptions;
 use crate::coupled::constrained_strand::{ConstrainedStrand, Strands};
@@ -92,15 +92,15 @@ impl Ending {
 impl Island {
     /// How it ended, if it has ended and no further attempt follows.
     pub fn ended(&self) -> Option<Ending> {
-        (self.done && !self.is_to_be_tried_again()).then_some(self.progress.ending)
+        (self.phase.has_ended() && !self.is_to_be_tried_again()).then_some(self.progress.ending)
     }
 
     /// Ends it where it is, unless it has converged.
     pub fn stop(&mut self, why: Stopped) {
-        if self.done && !self.rough && !self.is_to_be_tried_again() {
+        if self.phase == Phase::Ended && !self.is_to_be_tried_again() {
             return;
         }
-        (self.done, self.rough, self.progress.ending.stopped) = (true, false, why);
+        (self.phase, self.progress.ending.stopped) = (Phase::Ended, why);
         self.progress.ending.doubt();
     }
 
@@ -128,14 +128,14 @@ impl Island {
 
     /// Goes on from where it is: one of its strands has been moved.
     pub fn go_on(&mut self) {
-        (self.done, self.progress.rest) = (false, -1.0);
+        (self.phase, self.progress.rest) = (self.phase.resumed(), -1.0);
         self.progress.ending.lower_to(Outcome::GoodEnough);
         self.begin_to_count(self.progress.iterations);
     }
 
     /// Leaves it as it ended: nothing in it has changed, and it would end the same way.
     pub fn keep(&mut self, ending: Ending) {
-        (self.done, self.progress.ending) = (true, ending);
+        (self.phase, self.progress.ending) = (self.phase.ended(), ending);
     }
 
     /// Whether its constraints yield, bilateral ones too.
@@ -150,7 +150,7 @@ impl Island {
 
     /// Whether it ended without converging.
     pub fn failed(&self) -> bool {
-        self.done && !self.progress.ending.is_converged()
+        self.phase.has_ended() && !self.progress.ending.is_converged()
     }
 
     /// Whether no more work is spent on it: it has not converged, or only by yielding, and another solve would be expensive.
@@ -179,7 +179,8 @@ impl Island {
         let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, step);
         if forgives && self.progress.ending.attempt == Attempt::Whole && !self.progress.beyond {
             // The normals of bodies stay as they are.
-            (self.progress.iterations, self.done, self.progress.ending.attempt) = (LOOKS, false, Attempt::Yielding);
+            (self.progress.iterations, self.progress.ending.attempt) = (LOOKS, Attempt::Yielding);
+            self.phase = self.phase.resumed();
             self.begin_to_count(LOOKS);
             return Next::GoesOn;
         }
@@ -188,7 +189,8 @@ impl Island {
             self.progress.relaxings = if options.model.is_soft() { RELAXINGS } else { self.progress.relaxings + 1 };
         }
         self.progress.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
-        (self.progress.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
+        self.progress.iterations = 0;
+        self.phase = if forgives { self.phase.resumed() } else { Phase::Full };
         self.begin_to_count(0);
         for constraint in &mut self.constraints {
             (constraint.force, constraint.pushed) = (Vector3::zeros(), 0.0);

@@ -110,7 +110,7 @@ impl Island {
         // Springs have no exact laws: their tolerance is relative to the problem.
         let soft = options.model.is_soft();
         let scales = if soft { Scales::OfTheProblem } else { Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step } };
-        let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
+        let part = if options.model == ContactModel::Coulomb && !self.phase.is_rough() { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // A large problem not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to
         // the last digit.)
@@ -150,7 +150,7 @@ impl Island {
         meter: &Meter,
     ) {
         if self.solve(strands, options, step, scratch, workers, meter).is_err() {
-            self.done = true;
+            self.phase = self.phase.ended();
             self.progress.ending.outcome = if self.is_relaxed() { Outcome::Diverged } else { Outcome::Unconverged };
         }
     }

@@ -13,9 +13,10 @@ use nalgebra::Vector3;
 
 use super::elimination::{Model, PoseElimination, Step};
 use super::springs::Spring;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
-use crate::contact::narrow_phase::strand_body::{self, PathBounds, Span};
+use crate::contact::narrow_phase::path_bounds::PathBounds;
+use crate::contact::narrow_phase::strand_body::{self, Span};
 use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, element_states};

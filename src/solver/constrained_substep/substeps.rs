@@ -6,7 +6,8 @@
 
 use super::account::{Account, ContactTally};
 use super::{ConstrainedSubstep, Scene};
-use crate::contact::body::{Body, BodyAt};
+use crate::contact::body::Body;
+use crate::contact::body_at::BodyAt;
 use crate::contact::contact_point::Partner;
 use crate::coupled::constrained_strand::{ConstrainedStrand, StrandEnd};
 use crate::coupled::island::{FEW, Island};

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::search::{NearPlace, Search};
 use super::{BodyContact, Places};
 use crate::chain::load::MaterialPoint;
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::law::coefficient::Coefficient;
 use crate::contact::contact_point::StrandCurve;
 use crate::contact::options::StrandContact;

@@ -6,7 +6,7 @@
 
 use nalgebra::Vector3;
 
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::contact_point::StrandCurve;
 use crate::rod::strand::place_on;
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{Element, FreePath, MAX_PIECES};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 
 /// A piece of an element during a part of the step.
 #[derive(Debug, Clone, Copy, Default)]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{Element, FreePath, MAX_PIECES};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::shape::Separator;
 
 /// A piece of an element, by its ends.

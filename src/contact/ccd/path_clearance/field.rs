@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::{Element, FreePath, MAX_PIECES};
-use crate::contact::body::BodyAt;
+use crate::contact::body_at::BodyAt;
 use crate::contact::shape::DistanceGrid;
 
 /// A piece of an element during a part of the step.

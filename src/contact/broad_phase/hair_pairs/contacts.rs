@@ -1,0 +1,66 @@
+//! The contacts of a pair of strands, from the candidates of the last search.
+
+use super::{Group, HairPairs};
+use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
+use crate::contact::narrow_phase::strand_contacts::{MovingPiece, PairScratch, TwoStrands};
+
+impl HairPairs {
+    /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m, zero or
+    /// above; no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do
+    /// so for different groups; with the groups in their order, contacts are sorted by first strand, second strand, arclength
+    /// of the first, of the second.
+    pub fn contacts(
+        &self,
+        group: &Group,
+        strands: &[StrandPath],
+        within: f64,
+        scratch: &mut PairScratch,
+        out: &mut Vec<ContactPoint>,
+    ) {
+        let moving = |index: u32| {
+            let piece = &self.pieces.pieces[index as usize];
+            let node = piece.node as usize;
+            MovingPiece {
+                piece,
+                start: [self.carried[node], self.carried[node + 1]],
+                now: [self.now.nodes[node], self.now.nodes[node + 1]],
+                sagitta: self.now.sagittas[index as usize],
+            }
+        };
+        let two = TwoStrands {
+            a: &strands[group.a as usize],
+            b: &strands[group.b as usize],
+            wisp_a: &self.wisps[group.a as usize],
+            wisp_b: &self.wisps[group.b as usize],
+            within: within.min(self.activation),
+            turned: self.turned,
+        };
+        let candidates = self.candidates[group.from as usize..group.to as usize].iter();
+        let first = out.len();
+        two.contacts(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+        if self.knots.holds(group.a) && self.knots.holds(group.b) {
+            self.gather(group, strands, within, first, out);
+        }
+    }
+
+    /// Removes contacts from `first` on that are in a knot, and reduces the radii of those beside one.
+    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<ContactPoint>) {
+        let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
+        let along = |strand: u32, place: &StrandPoint| strands[strand as usize].now.along(place.element as usize, place.s);
+        let mut kept = first;
+        for index in first..out.len() {
+            let mut contact = out[index];
+            if let Partner::Strand(other) = &contact.partner {
+                let along = [along(group.a, &contact.point), along(group.b, other)];
+                let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
+                contact.gap += (1.0 - fraction) * radii;
+                if fraction < 1.0 && contact.gap > within {
+                    continue;
+                }
+            }
+            out[kept] = contact;
+            kept += 1;
+        }
+        out.truncate(kept);
+    }
+}

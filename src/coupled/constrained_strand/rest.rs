@@ -1,0 +1,58 @@
+//! Strands that rest while others of their island go on.
+
+use nalgebra::Vector3;
+
+use super::{Attachment, ConstrainedStrand};
+use crate::coupled::island::Island;
+
+/// A strand that was woken this often does not rest again: two neighbours could wake each other in turn for ever.
+const MAX_WAKES: u32 = 2;
+
+impl ConstrainedStrand {
+    /// Before an iteration: decides whether this strand rests.
+    pub(super) fn choose_rest(&mut self, island: &Island) {
+        let constraint = |end: &Attachment| &island.constraints[end.constraint as usize];
+        // A contact that is no longer dormant must be in its model.
+        let lacks = |end: &Attachment| !end.modelled && !constraint(end).is_dormant();
+        self.resting = if !island.may_rest {
+            false
+        } else if self.resting {
+            let wakes = self.attachments.iter().any(|end| lacks(end) || constraint(end).standing.wakes[usize::from(end.second)]);
+            self.woken += u32::from(wakes);
+            !wakes
+        } else {
+            self.woken < MAX_WAKES
+                && island.progress.iterations > 0
+                && self.residual <= island.progress.rest
+                && self.attachments.iter().all(|end| {
+                    let standing = &constraint(end).standing;
+                    !lacks(end) && standing.holds && standing.law_residual <= island.rest_residual
+                })
+        };
+    }
+
+    /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have
+    /// the forces `of_constraint` (on their first ends), by the linear model of its last iteration.
+    pub fn resting_displacement(
+        &self,
+        point: u32,
+        is_included: &[bool],
+        of_constraint: impl Fn(usize) -> Vector3<f64>,
+    ) -> Vector3<f64> {
+        // Symmetric: three columns are three rows.
+        let size = 3 * self.modelled;
+        let rows = &self.step.delassus.columns[3 * point as usize * size..][..3 * size];
+        let mut sum = Vector3::zeros();
+        for (k, (end, taken)) in self.attachments.iter().zip(&self.forces).enumerate() {
+            let constraint = end.constraint as usize;
+            if is_included[constraint] {
+                let force = of_constraint(constraint);
+                let change = if end.second { -force } else { force } - Vector3::from(*taken);
+                for (axis, row) in rows.chunks_exact(size).enumerate() {
+                    sum[axis] += row[3 * k] * change.x + row[3 * k + 1] * change.y + row[3 * k + 2] * change.z;
+                }
+            }
+        }
+        sum
+    }
+}

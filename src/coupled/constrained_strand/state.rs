@@ -1,0 +1,68 @@
+//! States of a strand while its step is solved: what its pack has to do, by which formula, what it may touch, where it ends.
+
+/// What a strand's pack has to do in the first half of an iteration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FirstHalf {
+    /// Nothing: the strand rests, or its island has ended.
+    None,
+    /// It was done ahead of time. It is repeated if another strand of the pack has it to do: a pack is eliminated as a whole.
+    Done,
+    /// It has to be done.
+    ToDo,
+}
+
+/// The first half of a strand's first iteration, which predicts whether something presses it. Until that iteration its constraints
+/// stay as they were for this: a ring's point, looked for once more from where it is, differs in its last bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LookAhead {
+    /// It was not done, or the strand's step has begun again since.
+    #[default]
+    None,
+    /// It was done.
+    Done,
+    /// It was done, but is repeated: a strand of its pack that iterates at another time would overwrite it.
+    ToRepeat,
+}
+
+/// The integration formula of a constrained strand's step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Formula {
+    /// That of the setting.
+    #[default]
+    AsSet,
+    /// Its step is to begin again, by implicit Euler: until then the strand stays where it is.
+    ToBeginAgain,
+    /// Implicit Euler, whatever the setting.
+    ImplicitEuler,
+}
+
+impl Formula {
+    /// Whether a step that begins with it is one of first order, by implicit Euler.
+    pub fn is_first_order(self) -> bool {
+        self != Self::AsSet
+    }
+}
+
+/// What a strand may touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Meets {
+    /// It takes no part in contact.
+    #[default]
+    Nothing,
+    /// Bodies only: while bodies still follow it, other strands would hold it back.
+    Bodies,
+    /// Bodies, and other strands.
+    All,
+}
+
+/// Where a strand ends its step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StrandEnd {
+    /// As it was when the step began: no iteration was done for it.
+    #[default]
+    AsBegun,
+    /// Where its iteration has come to.
+    Iterated,
+    /// It moves with its root instead.
+    WithRoot,
+}
