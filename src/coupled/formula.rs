@@ -2,7 +2,7 @@
 //! takes the step, and the next one, by implicit Euler. A strand that nothing presses, however near it is, steps as it would
 //! alone.
 
-use super::constrained_strand::{ConstrainedStrand, Formula, LookAhead};
+use super::constrained_strand::{ConstrainedStrand, Formula, LookAhead, StrandEnd};
 use super::coupled_step::{BeginAgain, CoupledStep, Stepping};
 use super::island::Island;
 use super::packs::Packs;
@@ -78,5 +78,23 @@ pub(super) fn restart(packs: &mut Packs, strands: &mut [ConstrainedStrand], mete
     begin_again(packs, strands);
     for constrained in strands.iter_mut().filter(|constrained| is_marked(constrained)) {
         (constrained.formula, constrained.resting, constrained.look_ahead) = (Formula::ImplicitEuler, false, LookAhead::None);
+        // What it came to before is gone. If time ran out meanwhile, not even its pack has begun.
+        constrained.end = StrandEnd::AsBegun;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_strand_whose_time_ran_out_as_it_began_again_ends_as_it_began() {
+        let mut strands = [ConstrainedStrand::default(), ConstrainedStrand::default()];
+        strands.iter_mut().for_each(|strand| strand.end = StrandEnd::Iterated);
+        strands[0].formula = Formula::ToBeginAgain;
+        // Time is up before any pack is begun.
+        restart(&mut Packs::default(), &mut strands, &Meter::unlimited(), &mut |_, _| ());
+        assert_eq!(strands.each_ref().map(|strand| strand.end), [StrandEnd::AsBegun, StrandEnd::Iterated]);
+        assert_eq!(strands[0].formula, Formula::ImplicitEuler);
     }
 }

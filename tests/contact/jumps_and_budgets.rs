@@ -214,6 +214,26 @@ fn work_is_bounded_and_the_same_for_any_number_of_threads() {
     assert!(usual_work(80 * ELEMENTS) == usual_work(1) && usual_work(10_000) > 4 * usual_work(1));
 }
 
+/// Time may run out at any moment of a step, also between two stages of it.
+#[test]
+fn time_runs_out_at_any_moment() {
+    let mut head = Head::new(ContactModel::Coulomb, 50, Workers::default());
+    for _ in 0..20 {
+        head.solver.step(H, 1).unwrap();
+    }
+    let mut stopped = 0;
+    for k in 0..300 {
+        let x = 0.012 * f64::from(k * k % 7);
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.2 * f64::from(k * 5 % 3));
+        head.send(Vector3::x() * x, turn);
+        let seconds = Some(2e-2 * f64::from(k * 37 % 300 + 1) / 300.0);
+        let report = head.solver.step_within(H, 1, &StepLimits { seconds, ..StepLimits::default() }).unwrap();
+        stopped += u32::from(report.stopped == Stopped::Time);
+        head.look(Vector3::x() * x, turn);
+    }
+    assert!(stopped > 20, "{stopped}");
+}
+
 /// Called off before it begins, a step moves roots and bodies, and strands go along as they are.
 #[test]
 fn a_cancelled_step_leaves_everything_whole() {
