@@ -35,7 +35,7 @@ def test_other_threads_run_during_a_step() -> None:
         thread = threading.Thread(target=note)
         thread.start()
         began = time.perf_counter()
-        solver.step(0.1, 12)
+        solver.step(0.1, 48)
         ended = time.perf_counter()
         done.set()
         thread.join()
