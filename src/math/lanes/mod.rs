@@ -47,8 +47,8 @@ pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
     with(kernel)
 }
 
-/// A piece of work on four numbers of double precision at a time, in as few registers as the machine has for them. Every number of registers gives the same bits.
-/// See [`Kernel`] for what must be inlined.
+/// A piece of work on four numbers of double precision at a time, in as few registers as the machine has for them. Every number of
+/// registers gives the same bits. See [`Kernel`] for what must be inlined.
 pub(crate) trait KernelOfFour {
     /// Its result.
     type Output;

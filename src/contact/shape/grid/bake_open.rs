@@ -1,8 +1,8 @@
 //! Signed distances of a mesh that is not quite closed: winding numbers give the sign.
 
-use super::super::mesh::winding::Winding;
-use super::super::mesh::{Mesh, Sides};
 use super::lattice::Lattice;
+use crate::contact::shape::mesh::winding::Winding;
+use crate::contact::shape::{Mesh, Sides};
 use crate::error::{Error, Result};
 
 /// A node is unclear whose winding number is farther than this from that of an inside (1, or more where parts overlap) or an outside (0).

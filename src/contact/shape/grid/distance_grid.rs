@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::super::bounds::Bounds;
-use super::super::mesh::{Mesh, Sides};
-use super::super::surface::Surface;
 use super::bake_open;
 use super::hessian_bounds::HessianBounds;
 use super::lattice::Lattice;
 use super::planes::{PlaneField, Planes};
 use super::tricubic::Tricubic;
+use crate::contact::shape::Bounds;
+use crate::contact::shape::Surface;
+use crate::contact::shape::{Mesh, Sides};
 use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::lane::Lane;
 use crate::math::lanes::{KernelOfFour, call_of_four};

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::mesh::Mesh;
+use crate::contact::shape::Mesh;
 use crate::error::{Error, Result};
 
 /// Nodes in rows along x, sheets of rows along y, one above the other along z.

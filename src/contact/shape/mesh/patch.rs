@@ -6,9 +6,9 @@
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::{BvhNode, TraversalAction};
 
-use super::super::bounds::Bounds;
 use super::flat_triangle::FlatTriangle;
 use super::triangle_mesh::Mesh;
+use crate::contact::shape::Bounds;
 
 /// Triangles whose boxes over the step meet a box.
 #[derive(Debug, Clone)]

@@ -5,11 +5,11 @@ use std::cell::Cell;
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::BvhNode;
 
-use super::super::surface::Surface;
 use super::normals::Normals;
 use super::patch::{Ball, Patch};
 use super::triangle::{self, Part};
 use super::triangle_mesh::{Mesh, Sides};
+use crate::contact::shape::Surface;
 
 /// The nearest place of a mesh, before its side is known.
 #[derive(Debug, Clone, Copy)]

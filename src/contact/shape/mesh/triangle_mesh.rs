@@ -5,9 +5,9 @@ use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
-use super::super::bounds::Bounds;
 use super::flat_triangle::FlatTriangle;
 use super::normals::Normals;
+use crate::contact::shape::Bounds;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// Which sides of a mesh keep strands off.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::surface::Surface;
+use crate::contact::shape::Surface;
 
 /// Nearest point of the capsule of radius `radius` about the segment from `a` to `b`. From its axis the way out is across the axis.
 pub(in crate::contact::shape) fn closest(a: Vector3<f64>, b: Vector3<f64>, radius: f64, point: Vector3<f64>) -> Surface {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::surface::Surface;
+use crate::contact::shape::Surface;
 
 /// Nearest point of the box of half edges `half`. From inside the way out is through the nearest face.
 pub(in crate::contact::shape) fn closest(half: &Vector3<f64>, point: Vector3<f64>) -> Surface {

@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::surface::Surface;
+use crate::contact::shape::Surface;
 
 /// Nearest point of the ellipsoid of semi-axes `e`. Where several are nearest (from the middle), one of them.
 pub(in crate::contact::shape) fn closest(e: &Vector3<f64>, point: Vector3<f64>) -> Surface {

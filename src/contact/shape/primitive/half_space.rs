@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::surface::Surface;
+use crate::contact::shape::Surface;
 
 /// Nearest point of the plane across `normal`, which points out of the half that is filled.
 pub(in crate::contact::shape) fn closest(normal: &Vector3<f64>, point: Vector3<f64>) -> Surface {

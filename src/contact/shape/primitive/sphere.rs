@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::surface::Surface;
+use crate::contact::shape::Surface;
 
 /// Nearest point of a sphere of radius `radius` about the origin. From the centre the way out is along x.
 pub(in crate::contact::shape) fn closest(radius: f64, point: Vector3<f64>) -> Surface {
