@@ -373,7 +373,7 @@ fn case_of(case: u64, many: bool) -> (Scene, String) {
 /// Bodies that come after strands fail to reach them again and again: in some steps a strand is left out, in others it is rolled back.
 #[test]
 fn strands_chased_by_bodies_do_not_diverge_for_long() {
-    for case in [126, 152] {
+    for case in [126, 152, 5047, 5365] {
         let mut tally = Tally::default();
         let (mut scene, name) = case_of(case, false);
         scene.run(&name, &mut tally);

@@ -281,13 +281,13 @@ impl ConstrainedSubstep {
                     .with_one(|one| pack.end(lane, one, setting, h, max_elastic, &mut scratch.step.rule, &mut constrained.step));
                 let outcome = constrained.step.outcome;
                 // (If its end is no finite shape it is rolled back, and is not behind.)
-                let behind = behind && !outcome.quarantined;
+                let (behind, lag) = (behind && !outcome.quarantined, strand.lag() + h);
                 let divergence = strand.divergence.take_if(|_| behind);
                 strand.ended(outcome, setting, h, bodies, &mut scratch.step);
                 if behind {
                     strand.record_passed_bodies(&root, h, bodies, divergence);
                 } else if !outcome.quarantined && constrained.lags() {
-                    strand.bodies_follow(constrained.final_poses.clone());
+                    strand.bodies_follow(constrained.final_poses.clone(), lag);
                 }
                 strand.touched = constrained.attachments.iter().any(|end| island.constraints[end.constraint as usize].presses());
             };

@@ -20,6 +20,10 @@ use crate::step::StrandOutcome;
 const LOST_FOR: f64 = 0.1;
 const RETURNS_IN: f64 = 0.25;
 
+/// A strand that bodies have followed for this many seconds without a break meets them where they are: one that is caught between two of their
+/// poses would be lost for as long as it is there.
+const FOLLOWED_FOR: f64 = 0.25;
+
 /// The least fraction of its lead by which a body follows for a strand.
 const MIN_FRACTION: f64 = 1.0 / 64.0;
 
@@ -34,6 +38,8 @@ pub(super) struct Divergence {
     /// The bodies' poses for the strand at the start of the next substep: their poses at its last good substep as seen from its
     /// root or, if that jumped, the poses to which they jump. One per body; empty for their true poses.
     pub bodies: Vec<Frame>,
+    /// The time without a break for which they have not been at their true poses, s.
+    pub lag: f64,
     pub state: DivergenceState,
 }
 
@@ -76,9 +82,16 @@ impl Strand {
         }));
     }
 
-    /// It converged in a substep in which bodies followed this far for it, and not to their true poses.
-    pub fn bodies_follow(&mut self, came_to: Vec<Frame>) {
-        self.divergence = Some(Box::new(Divergence { bodies: came_to, state: DivergenceState::Carried { seconds: 0.0 } }));
+    /// The time without a break for which bodies have not been at their true poses for it, s.
+    pub fn lag(&self) -> f64 {
+        self.divergence.as_deref().map_or(0.0, |divergence| divergence.lag)
+    }
+
+    /// It converged in a substep in which bodies followed this far for it, and not to their true poses: for `lag` seconds by now.
+    pub fn bodies_follow(&mut self, came_to: Vec<Frame>, lag: f64) {
+        let state = DivergenceState::Carried { seconds: 0.0 };
+        let goes_on = lag < FOLLOWED_FOR * (1.0 - 1e-12);
+        self.divergence = goes_on.then(|| Box::new(Divergence { bodies: came_to, lag, state }));
     }
 
     /// Whether the last substep carried it along: bodies follow for it.
@@ -103,7 +116,8 @@ impl Strand {
         if let Some(target) = &mut self.target {
             target.motion = TargetMotion::Rests;
         }
-        self.divergence = Some(Box::new(Divergence { bodies: Vec::new(), state: DivergenceState::Carried { seconds: 0.0 } }));
+        let state = DivergenceState::Carried { seconds: 0.0 };
+        self.divergence = Some(Box::new(Divergence { bodies: Vec::new(), lag: 0.0, state }));
     }
 
     /// Takes it through a substep of `h` seconds with its root, its shape kept, without any other work. `bodies`: those that it
@@ -133,15 +147,18 @@ impl Strand {
     pub fn record_passed_bodies(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], divergence: Option<Box<Divergence>>) {
         self.divergence = divergence;
         let (to, seconds) = (self.state.root, self.diverged_for() + h);
-        let divergence = self.start_divergence(bodies, DivergenceState::Behind { seconds });
+        let divergence = self.start_divergence(h, bodies, DivergenceState::Behind { seconds });
         take_along(&mut divergence.bodies, before, &to);
         self.drop_unreachable_bodies(seconds);
     }
 
-    fn start_divergence(&mut self, bodies: &[BodyAt], state: DivergenceState) -> &mut Divergence {
+    /// Begins the record of a substep of `h` seconds without it, or goes on with it.
+    fn start_divergence(&mut self, h: f64, bodies: &[BodyAt], state: DivergenceState) -> &mut Divergence {
         let meets = self.contact.is_some();
-        let divergence = self.divergence.get_or_insert_with(|| Box::new(Divergence { bodies: Vec::new(), state: state.clone() }));
-        divergence.state = state;
+        let lag = self.lag() + h;
+        let divergence =
+            self.divergence.get_or_insert_with(|| Box::new(Divergence { bodies: Vec::new(), lag, state: state.clone() }));
+        (divergence.lag, divergence.state) = (lag, state);
         if meets && divergence.bodies.len() != bodies.len() {
             divergence.bodies = bodies.iter().map(|body| body.start).collect();
         }
@@ -163,7 +180,7 @@ impl Strand {
 
     /// A body that passed it long ago may be at a place that it can never reach.
     fn drop_unreachable_bodies(&mut self, seconds: f64) {
-        if seconds >= LOST_FOR * (1.0 - 1e-12) {
+        if seconds >= LOST_FOR * (1.0 - 1e-12) || self.lag() >= FOLLOWED_FOR * (1.0 - 1e-12) {
             self.divergence = None;
         }
     }
@@ -188,7 +205,7 @@ impl Strand {
 
     fn move_with_root(&mut self, h: f64, bodies: &[BodyAt], state: DivergenceState) {
         let [from, to] = self.root_during(h);
-        let divergence = self.start_divergence(bodies, state);
+        let divergence = self.start_divergence(h, bodies, state);
         take_along(&mut divergence.bodies, &from, &to);
         self.state.teleport(to);
     }

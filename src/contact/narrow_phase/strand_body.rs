@@ -8,9 +8,11 @@
 //! Files:
 //!
 //! - `found.rs`: What a search of a strand and a body adds to its contacts, and the side of the body on which a strand is kept that ran into it.
+//! - `minima.rs`: The minima of a body's distance along an element, between nodes and at the ends.
 //! - `scratch.rs`: Memory of a search of a strand and a body, kept from call to call.
 
 mod found;
+mod minima;
 mod scratch;
 
 use std::cell::Cell;
@@ -18,31 +20,17 @@ use std::cell::Cell;
 use nalgebra::Vector3;
 
 pub use scratch::BodySearchScratch;
-use scratch::Piece;
 
-use super::across_edge::across_edge;
-use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
 use super::path_bounds::PathBounds;
-use super::undetected_overlap;
 use crate::contact::body_at::BodyAt;
 use crate::contact::ccd::body_sweep;
 use crate::contact::contact_point::{ContactPoint, StrandPath};
-use crate::contact::shape::{Ball, Bounds, Kind, Mesh, Sides, Surface, Tube};
-
-/// How much deeper than an element's end or its neighbour a minimum must be to count as a contact of its own, and to what it is found, m:
-/// once the contacts are resolved, nothing in between is deeper than about twice this.
-const PROMINENCE: f64 = 1e-6;
-
-/// An end of an element from which the distance falls more steeply than this is no contact.
-const STEEP: f64 = 0.5;
+use crate::contact::shape::{Bounds, Kind, Mesh, Sides, Tube};
 
 /// The largest number of pieces of an element.
 const MAX_PIECES: usize = 64;
-
-/// How often a piece is halved if its ends do not determine what lies between.
-const DEEPEST_SPLIT: usize = 3;
 
 /// The tree of a mesh is searched in a box larger than an element needs by this fraction of its length, so that the result is
 /// valid for a while.
@@ -150,13 +138,16 @@ impl Search<'_, '_> {
             self.inside = Some(false);
             return;
         }
-        let piece = self.place_nodes(&path, low, high);
+        // Between nodes on a smooth convex shape the search is exact on the arc; a sweep takes chords for it.
+        let exact = matches!(shape.0, Kind::Grid(_)) || shape.is_smooth_convex();
+        let mut piece = self.place_nodes(&path, low, high, if exact { f64::INFINITY } else { self.flat() });
+        let swept = self.is_swept();
+        if swept && shape.is_smooth_convex() {
+            piece = self.place_nodes(&path, low, high, self.flat());
+        }
         // Distances at nodes a little beyond the limit show where the distance falls.
         let reach =
             self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * shape.distance_slope() * piece };
-        let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
-        let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
-        let swept = travel > 0.5 * self.thickness + shape.thinness();
         if let Some(mesh) = mesh {
             self.gather(mesh, index, piece, reach, 0.125 * piece * piece * path.now.bend().max(path.start.bend()), swept);
             let outside = mesh.sides() == Sides::Both || self.inside == Some(false);
@@ -239,15 +230,23 @@ impl Search<'_, '_> {
         *self.scratch.region(self.body.index, index) = region;
     }
 
-    /// Cuts the element into pieces that bend little and are no longer than the body's features; returns their length.
-    fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64) -> f64 {
+    /// The sagitta with which a piece passes for its chord, m: a quarter of the thickness.
+    fn flat(&self) -> f64 {
+        (0.25 * self.thickness).max(2e-6)
+    }
+
+    /// Whether the nodes move so far within the step that they may pass through the body.
+    fn is_swept(&self) -> bool {
+        let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
+        let shape = self.body.shape;
+        travel + shape.mesh().map_or(0.0, Mesh::farthest_travel) > 0.5 * self.thickness + shape.thinness()
+    }
+
+    /// Cuts the element into pieces that turn by a quarter of a radian at most, bulge by no more than the `sagitta` (m), and are no longer than the
+    /// body's features; returns their length.
+    fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64, sagitta: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;
-        // A quarter of the thickness for the chord's sagitta, a quarter of a radian for its turn. A grid is asked on the curve alone.
-        let sagitta = match self.body.shape.0 {
-            Kind::Grid(_) => f64::INFINITY,
-            _ => (0.25 * self.thickness).max(2e-6),
-        };
         let flat = (8.0 * sagitta / bend).sqrt().min(0.25 / bend);
         let longest = flat.min(self.body.shape.feature_length()).max(length / MAX_PIECES as f64);
         let count = ((length / longest).ceil() as usize).clamp(1, MAX_PIECES);
@@ -260,135 +259,4 @@ impl Search<'_, '_> {
         }
         length / count as f64
     }
-
-    /// Adds the minima between nodes, and the ends.
-    fn minima(&mut self, index: usize, ground: &Ground, path: &ElementPath, nodes: &[Node]) {
-        let limit = self.thickness + self.within;
-        let (left, right) = (nodes[0], nodes[nodes.len() - 1]);
-        // From a steep end the distance falls to something nearer or deeper, which constrains the end: it must not be pushed
-        // along the strand.
-        let held = |sample: &Sample<Surface>, falls: bool| sample.value < limit && !(falls && sample.slope.abs() > STEEP);
-        if self.first
-            && let Some(sample) = left.sample.filter(|sample| held(sample, sample.slope < 0.0))
-        {
-            self.add(index, &sample);
-        }
-        // A minimum counts if it is lower than the contact to its left, or beyond a crest; the left end is the previous
-        // element's contact.
-        let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
-        let mut crest = before;
-        let mut added = 0;
-        let from = self.out.len();
-        self.scratch.more.clear();
-        let mut pieces = std::mem::take(&mut self.scratch.pieces);
-        let mut close = std::mem::take(&mut self.scratch.close);
-        // Along a chord the distance from a convex shape falls at one end and rises at the other if there is a minimum in between.
-        // Along an arc its slope may have turned by then: an overlap is possible where the tangents leave room for it.
-        let (is_convex, bend, thickness) = (self.body.shape.is_smooth_convex(), path.now.bend(), self.thickness);
-        let may_overlap = |a: &Sample<Surface>, b: &Sample<Surface>| {
-            let bar = thickness.min(a.value).min(b.value) - undetected_overlap::TOLERANCE;
-            is_convex && undetected_overlap::lowest_possible(a, b, bend) < bar
-        };
-        for pair in nodes.windows(2) {
-            if pair.iter().any(|node| node.far.is_some()) {
-                (before, crest) = (f64::INFINITY, f64::INFINITY);
-                continue;
-            }
-            close_to(ground, path, pair, limit, &mut close);
-            // Between points outside nothing is searched for deep inside, unless the surface is between them.
-            let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
-            let outside = out(&pair[0]) && out(&pair[1]) && !ground.is_pierced(&pair[0].now, &pair[1].now);
-            let inside = outside.then_some(false);
-            let ask = |s: f64| {
-                let (now, tangent) = path.now.at(s);
-                ground.ask_among(&close, || path.start.at(s).0, now, inside).map(|surface| sample(s, surface, &tangent))
-            };
-            let none_close = ground.mesh.is_some() && close.is_empty();
-            pieces.clear();
-            pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
-            while let Some(Piece { ends, samples, depth }) = pieces.pop() {
-                let length = ends[1] - ends[0];
-                // The slope is at most 1; where nothing was found the surface is further away than the reach.
-                let value = |end: usize| samples[end].map_or(ground.reach, |sample| sample.value);
-                crest = crest.max(value(0));
-                if samples[0].is_none() {
-                    before = f64::INFINITY;
-                }
-                if 0.5 * (value(0) + value(1) - length) >= limit || none_close && samples[0].is_none() && samples[1].is_none() {
-                    continue;
-                }
-                let falls_and_rises = matches!(samples, [Some(a), Some(b)] if a.slope < 0.0 && b.slope >= 0.0);
-                let (Some(a), Some(b), true) = (samples[0], samples[1], falls_and_rises) else {
-                    // Where the mean slope is not between those at the ends, these do not determine the distance.
-                    let determined = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
-                        let mean = (b.value - a.value) / length;
-                        mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3 && !may_overlap(&a, &b)
-                    });
-                    if !determined && depth < DEEPEST_SPLIT {
-                        let s = 0.5 * (ends[0] + ends[1]);
-                        let middle = ask(s);
-                        pieces.push(Piece { ends: [s, ends[1]], samples: [middle, samples[1]], depth: depth + 1 });
-                        pieces.push(Piece { ends: [ends[0], s], samples: [samples[0], middle], depth: depth + 1 });
-                    }
-                    continue;
-                };
-                let (mut found, around) = descent::bracketed(a, b, 0.5 * PROMINENCE, ask);
-                if found.value < 0.0 {
-                    found.found = across_edge(&found, around, ask);
-                }
-                let counts = found.value < before.max(crest) - PROMINENCE;
-                if found.value < limit && counts && found.s > left.s && found.s < right.s {
-                    self.push(index, found.s, &found.found, found.found.distance - self.thickness);
-                    added += 1;
-                    (before, crest) = (found.value, found.value);
-                }
-            }
-            if ground.mesh.is_some() {
-                self.add_undetected_overlaps(ground, path, &[pair[0], pair[1]], &close, from);
-            }
-        }
-        (self.scratch.pieces, self.scratch.close) = (pieces, close);
-        let tip = index + 1 == self.path.now.elements.len();
-        if let Some(sample) = right.sample.filter(|sample| held(sample, !tip || sample.slope > 0.0)) {
-            // A minimum from which the distance rises to the end by less than counts is the end's own.
-            if added > 0 && crest.max(sample.value) - before < PROMINENCE {
-                self.out.pop();
-            }
-            self.add(index, &sample);
-        }
-        for place in 0..self.scratch.more.len() {
-            let found = self.scratch.more[place];
-            let gap = found.value - self.thickness;
-            // A deeper contact close by is worth more; what is left then is found when that is resolved.
-            let seen = self.out[from..].iter().any(|contact| {
-                let off = (contact.point.s - found.s).abs();
-                off < 2e-3 && contact.gap <= gap || off < 2e-4 && contact.gap <= gap + undetected_overlap::TOLERANCE
-            });
-            if !seen {
-                self.add(index, &found);
-            }
-        }
-    }
-}
-
-/// Picks the triangles of a mesh that can be nearest to a point between two nodes.
-fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, close: &mut Vec<Ball>) {
-    close.clear();
-    let Some(mesh) = ground.mesh else { return };
-    let (left, right) = (&nodes[0], &nodes[1]);
-    let length = right.s - left.s;
-    let value = |node: &Node| node.sample.map_or(ground.reach, |sample| sample.value.abs());
-    if 0.5 * (value(left) + value(right) - length) >= limit {
-        return;
-    }
-    let sagitta = 0.125 * path.now.bend() * length * length;
-    let mut radius = limit + sagitta;
-    // Along the chord the distance to one triangle is convex, so that it is nowhere larger than at the further end.
-    for (here, there) in [(left, right), (right, left)] {
-        if let Some(sample) = here.sample {
-            let there = mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt();
-            radius = radius.min(sample.value.abs().max(there) + 2.0 * sagitta);
-        }
-    }
-    ground.patch.pick(&Tube { ends: [left.now, right.now], radius }, close);
 }

@@ -20,6 +20,9 @@ use crate::step::StrandOutcome;
 /// Overlap of more than this many tolerances is deep.
 const DEEP: f64 = 2.0;
 
+/// Substeps may leave an island deeper than the whole substep by this many tolerances: as much as two ways to ask for a depth differ.
+const SLIGHTLY: f64 = 0.2;
+
 /// A strand that is to take the substep in substeps.
 #[derive(Debug)]
 pub(super) struct BeforeSubsteps {
@@ -81,7 +84,7 @@ impl ConstrainedSubstep {
             let (left, mut some_go_back) = (self.depths(scene, &bodies, |constrained| self.is_subdivided(constrained)), false);
             let islands = self.coupled.parts().islands.iter_mut().enumerate();
             for (k, island) in islands.filter(|(_, island)| island.is_subdivided) {
-                let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
+                let most = island.left.deep.max(DEEP * scene.options.tolerance) + SLIGHTLY * scene.options.tolerance;
                 // (Strands that stayed as they were when the step began have no end to return to.)
                 island.is_subdivided = left[k] <= most || island.is_diverged();
                 some_go_back |= !island.is_subdivided;

@@ -24,7 +24,7 @@ impl Writer {
 
     /// The record of a diverged strand.
     pub fn divergence(&mut self, divergence: Option<&Divergence>) {
-        let Some(Divergence { bodies, state }) = divergence else { return self.u32(0) };
+        let Some(Divergence { bodies, lag, state }) = divergence else { return self.u32(0) };
         match state {
             DivergenceState::Carried { seconds } => {
                 self.u32(1);
@@ -44,6 +44,7 @@ impl Writer {
                 self.rows(from);
             }
         }
+        self.f64(*lag);
         self.u64(bodies.len() as u64);
         bodies.iter().for_each(|body| self.frame(body));
     }
@@ -136,9 +137,10 @@ impl Reader<'_> {
             4 => DivergenceState::Behind { seconds: self.finite("a strand's time behind a body")? },
             other => return Err(bad(format!("a strand has state {other}"))),
         };
+        let lag = self.finite("a strand's time with bodies that follow")?;
         let count = self.count(8 * 7)?;
         let bodies = (0..count).map(|_| self.finite_frame("a body's pose for a strand")).collect::<Result<Vec<_>>>()?;
-        Ok(Some(Box::new(Divergence { bodies, state })))
+        Ok(Some(Box::new(Divergence { bodies, lag, state })))
     }
 
     /// The strand `step` seconds ago.
