@@ -252,23 +252,28 @@ impl Scene {
         }
     }
 
+    /// Takes a step in which the bodies fly on.
+    fn throw(&mut self) -> StepReport {
+        let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.0).collect();
+        let frames: Vec<Frame> = self
+            .bodies
+            .iter_mut()
+            .map(|(_, pose, velocity, spin)| {
+                pose.origin += *velocity * self.step;
+                pose.rotation = UnitQuaternion::from_scaled_axis(*spin * self.step) * pose.rotation;
+                *pose
+            })
+            .collect();
+        self.solver.set_body_frames(&ids, &frames, self.step).unwrap();
+        self.solver.step(self.step, 1).unwrap()
+    }
+
     fn run(&mut self, name: &str, tally: &mut Tally) {
         let hard = matches!(self.model, ContactModel::Coulomb);
         let mut lasting = 0;
         let (thrown, calm) = if self.many { (THROWN_THROUGH_MANY, CALM_OF_MANY) } else { (THROWN, CALM) };
         for step in 0..thrown {
-            let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.0).collect();
-            let frames: Vec<Frame> = self
-                .bodies
-                .iter_mut()
-                .map(|(_, pose, velocity, spin)| {
-                    pose.origin += *velocity * self.step;
-                    pose.rotation = UnitQuaternion::from_scaled_axis(*spin * self.step) * pose.rotation;
-                    *pose
-                })
-                .collect();
-            self.solver.set_body_frames(&ids, &frames, self.step).unwrap();
-            let report = self.solver.step(self.step, 1).unwrap();
+            let report = self.throw();
             tally.steps += 1;
             tally.unconverged += u64::from(report.contact.unconverged > 0);
             tally.touched += u64::from(report.contact.contacts > 0);
@@ -380,6 +385,23 @@ fn strands_chased_by_bodies_do_not_diverge_for_long() {
         assert!(tally.rolled_back > 0, "{name}: nothing was lost");
         assert!(tally.lost_for < LOST_FOR, "{name}: {tally:?}");
     }
+}
+
+/// Where bodies stand for a strand that they follow, and for how long, is part of a snapshot.
+#[test]
+fn bodies_that_follow_strands_go_on_from_snapshots() {
+    let (mut whole, _) = case_of(5047, false);
+    let (mut interrupted, name) = case_of(5047, false);
+    let mut lost = 0;
+    for step in 0..25 {
+        let report = whole.throw();
+        lost += u32::from(report.quarantined > 0 || report.unconverged > 0);
+        interrupted.throw();
+        let image = interrupted.solver.snapshot();
+        interrupted.solver.restore(&image).unwrap();
+        assert_eq!(interrupted.solver.state_hash(), whole.solver.state_hash(), "{name} step {step}");
+    }
+    assert!(lost > 5, "{name}: bodies followed in {lost} steps");
 }
 
 /// Strands wound round each other: a contact on a side on which they never were would wedge them.

@@ -6,10 +6,10 @@ use superhelix::{InstructionSet, Integrator, Precision, SolverOptions};
 /// CHANGELOG.md. They may change with the method, the order of sums, tolerances, quadrature rules, what a state consists of, and with
 /// the snapshot's layout, which the hash goes by; never with lanes, threads, compilers or machines.
 pub const GOLDEN: [(Integrator, Precision, u64); 6] = [
-    (Integrator::LinearlyImplicit, Precision::F64, 0x7acf_a2c3_9608_cdaf),
+    (Integrator::LinearlyImplicit, Precision::F64, 0xe70d_7d6d_9209_4b08),
     (Integrator::ImplicitEuler, Precision::F64, 0x1dc5_d929_cd34_563a),
     (Integrator::SecondOrder, Precision::F64, 0xf485_719e_b07b_2cdd),
-    (Integrator::LinearlyImplicit, Precision::F32, 0xdf0d_fd92_1e44_727f),
+    (Integrator::LinearlyImplicit, Precision::F32, 0xd241_fba0_4f0b_dac2),
     (Integrator::ImplicitEuler, Precision::F32, 0x63a4_2450_6649_1fde),
     (Integrator::SecondOrder, Precision::F32, 0x3764_4031_3129_0e22),
 ];
