@@ -20,8 +20,8 @@ use crate::step::StrandOutcome;
 const LOST_FOR: f64 = 0.1;
 const RETURNS_IN: f64 = 0.25;
 
-/// A strand that bodies have followed for this many seconds without a break meets them where they are: one that is caught between two of their
-/// poses would be lost for as long as it is there.
+/// A strand that bodies have followed for this many seconds without a break meets them where they are: caught between two of
+/// their poses, it could be lost for as long as it is there.
 const FOLLOWED_FOR: f64 = 0.25;
 
 /// The least fraction of its lead by which a body follows for a strand.
@@ -90,8 +90,7 @@ impl Strand {
     /// It converged in a substep in which bodies followed this far for it, and not to their true poses: for `lag` seconds by now.
     pub fn bodies_follow(&mut self, came_to: Vec<Frame>, lag: f64) {
         let state = DivergenceState::Carried { seconds: 0.0 };
-        let goes_on = lag < FOLLOWED_FOR * (1.0 - 1e-12);
-        self.divergence = goes_on.then(|| Box::new(Divergence { bodies: came_to, lag, state }));
+        self.divergence = (!is_over(lag, FOLLOWED_FOR)).then(|| Box::new(Divergence { bodies: came_to, lag, state }));
     }
 
     /// Whether the last substep carried it along: bodies follow for it.
@@ -155,10 +154,10 @@ impl Strand {
     /// Begins the record of a substep of `h` seconds without it, or goes on with it.
     fn start_divergence(&mut self, h: f64, bodies: &[BodyAt], state: DivergenceState) -> &mut Divergence {
         let meets = self.contact.is_some();
-        let lag = self.lag() + h;
-        let divergence =
-            self.divergence.get_or_insert_with(|| Box::new(Divergence { bodies: Vec::new(), lag, state: state.clone() }));
-        (divergence.lag, divergence.state) = (lag, state);
+        let new = || Box::new(Divergence { bodies: Vec::new(), lag: 0.0, state: state.clone() });
+        let divergence = self.divergence.get_or_insert_with(new);
+        divergence.lag += h;
+        divergence.state = state;
         if meets && divergence.bodies.len() != bodies.len() {
             divergence.bodies = bodies.iter().map(|body| body.start).collect();
         }
@@ -180,7 +179,7 @@ impl Strand {
 
     /// A body that passed it long ago may be at a place that it can never reach.
     fn drop_unreachable_bodies(&mut self, seconds: f64) {
-        if seconds >= LOST_FOR * (1.0 - 1e-12) || self.lag() >= FOLLOWED_FOR * (1.0 - 1e-12) {
+        if is_over(seconds, LOST_FOR) || is_over(self.lag(), FOLLOWED_FOR) {
             self.divergence = None;
         }
     }
@@ -188,7 +187,7 @@ impl Strand {
     /// A substep of `h` seconds rolled it back: it moves with its root, and after a while it is brought back.
     pub fn roll_back(&mut self, h: f64, bodies: &[BodyAt]) {
         let seconds = self.diverged_for() + h;
-        let returns = seconds >= LOST_FOR * (1.0 - 1e-12);
+        let returns = is_over(seconds, LOST_FOR);
         let from = || self.state.curvatures.clone().into_boxed_slice();
         let state = if returns {
             DivergenceState::Returning { seconds: 0.0, from: from() }
@@ -233,7 +232,7 @@ impl Strand {
         for ((now, from), natural) in self.state.curvatures.iter_mut().zip(from.iter()).zip(self.model.natural.iter()) {
             *now = std::array::from_fn(|axis| from[axis] + part * (natural[axis] - from[axis]));
         }
-        let is_back = *seconds >= RETURNS_IN * (1.0 - 1e-12);
+        let is_back = is_over(*seconds, RETURNS_IN);
         self.state.teleport(to);
         self.set_rigid_velocities(&from_root, h, rules);
         (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
@@ -244,6 +243,11 @@ impl Strand {
         }
         outcome
     }
+}
+
+/// Whether a time that substeps have added up has reached a limit, but for rounding.
+fn is_over(seconds: f64, limit: f64) -> bool {
+    seconds >= limit * (1.0 - 1e-12)
 }
 
 /// The pose at a fraction of the motion from one to another.

@@ -123,8 +123,8 @@ fn every_minimum_of_the_distance_is_a_contact() {
     }
 }
 
-/// Elements are searched whole, or in pieces that turn by a quarter of a radian. Nothing hides between their ends, also where they come down steeply, go over an edge, and
-/// turn back to the surface.
+/// Elements are searched whole, or in pieces that turn by a quarter of a radian. Nothing hides between their ends, also where they
+/// come down steeply, go over an edge, and turn back to the surface.
 #[test]
 fn no_overlap_with_a_convex_shape_is_missed() {
     const SAMPLES: usize = 1000;

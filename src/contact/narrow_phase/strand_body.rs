@@ -138,9 +138,9 @@ impl Search<'_, '_> {
             self.inside = Some(false);
             return;
         }
-        // Between nodes on a smooth convex shape the search is exact on the arc; a sweep takes chords for it.
-        let exact = matches!(shape.0, Kind::Grid(_)) || shape.is_smooth_convex();
-        let mut piece = self.place_nodes(&path, low, high, if exact { f64::INFINITY } else { self.flat() });
+        // Shapes without a mesh are asked on the arc between nodes, too; the sweep of a convex one takes chords for it.
+        let sagitta = if mesh.is_some() { self.flat() } else { f64::INFINITY };
+        let mut piece = self.place_nodes(&path, low, high, sagitta);
         let swept = self.is_swept();
         if swept && shape.is_smooth_convex() {
             piece = self.place_nodes(&path, low, high, self.flat());
@@ -242,8 +242,8 @@ impl Search<'_, '_> {
         travel + shape.mesh().map_or(0.0, Mesh::farthest_travel) > 0.5 * self.thickness + shape.thinness()
     }
 
-    /// Cuts the element into pieces that turn by a quarter of a radian at most, bulge by no more than the `sagitta` (m), and are no longer than the
-    /// body's features; returns their length.
+    /// Cuts the element into pieces that turn by a quarter of a radian at most, have no larger `sagitta` (m), and are no longer
+    /// than the body's features; returns their length.
     fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64, sagitta: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;

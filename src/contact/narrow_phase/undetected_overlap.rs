@@ -58,8 +58,8 @@ pub(in crate::contact) fn find(
     (surface.distance < bar).then(|| sample(nearest.s, surface, &tangent))
 }
 
-/// A bound from below between two places of a distance that is convex but for `bend`: d″ ≥ −κ, so that d lies above the parabola of that
-/// curvature through either end. Both are concave, so that the higher is least where they meet, or at an end.
+/// A bound from below between two places of a distance that is convex but for `bend`: d″ ≥ −κ, so that d lies above the parabola
+/// of that curvature through either end. Both are concave, so that the higher is least where they meet, or at an end.
 pub(in crate::contact) fn lowest_possible<T>(a: &Sample<T>, b: &Sample<T>, bend: f64) -> f64 {
     let span = b.s - a.s;
     let (falls, rises) = (a.slope - 0.5 * bend * span, b.slope + 0.5 * bend * span);

@@ -19,8 +19,8 @@ const STEEP: f64 = 0.5;
 /// How often a piece is halved if its ends do not determine what lies between.
 const DEEPEST_SPLIT: usize = 3;
 
-/// How often a piece near a convex shape is halved where its tangents leave room for an overlap. (They leave none where its sagitta is below the
-/// tolerance, so that this is reached by nothing that bends as an element may.)
+/// How often a piece near a convex shape is halved at most where the bound leaves room for an overlap: it leaves none once the
+/// piece's sagitta is below the tolerance, which comes sooner.
 const DEEPEST_ROOM: usize = 12;
 
 impl Search<'_, '_> {
@@ -46,7 +46,7 @@ impl Search<'_, '_> {
         let mut pieces = std::mem::take(&mut self.scratch.pieces);
         let mut close = std::mem::take(&mut self.scratch.close);
         // Along a chord the distance from a convex shape falls at one end and rises at the other if there is a minimum in between.
-        // Along an arc its slope may have turned by then: an overlap is possible where the tangents leave room for it.
+        // Along an arc its slope may have turned by then: an overlap is possible where the bound leaves room for it, below what is known.
         let (is_convex, bend, thickness) = (self.body.shape.is_smooth_convex(), path.now.bend(), self.thickness);
         let may_overlap = |known: f64, a: &Sample<Surface>, b: &Sample<Surface>| {
             is_convex && undetected_overlap::lowest_possible(a, b, bend) < thickness.min(known) - undetected_overlap::TOLERANCE
