@@ -13,7 +13,7 @@ use crate::math::lane::{Kernel, Lane};
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 use crate::math::lanes::F64x2;
 #[cfg(target_arch = "x86_64")]
-use crate::math::lanes::{F64x4, InstructionSet};
+use crate::math::lanes::{F64x4, F64x8, InstructionSet};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 
@@ -31,6 +31,8 @@ pub struct Delassus {
 /// y of every element, for each type of lanes.
 #[derive(Debug, Clone, Default)]
 struct PassScratch {
+    #[cfg(target_arch = "x86_64")]
+    eight: Vec<[F64x8; 3]>,
     #[cfg(target_arch = "x86_64")]
     four: Vec<[F64x4; 3]>,
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
@@ -54,8 +56,14 @@ impl Delassus {
         self.columns.resize(9 * loads.len() * loads.len(), 0.0);
         // Registers of any width give the same bits: columns do not depend on each other.
         #[cfg(target_arch = "x86_64")]
-        if InstructionSet::detected() >= InstructionSet::Avx2 {
-            return update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.four);
+        {
+            let set = InstructionSet::detected();
+            if set >= InstructionSet::Avx512 && 3 * loads.len() > 4 {
+                return update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.eight);
+            }
+            if set >= InstructionSet::Avx2 {
+                return update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.four);
+            }
         }
         #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
         update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.two);

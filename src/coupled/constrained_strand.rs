@@ -4,7 +4,7 @@
 //! Files:
 //!
 //! - `rest.rs`: Strands that rest while others of their island go on.
-//! - `state.rs`: States of a strand while its step is solved: what its pack has to do, by which formula, what it may touch, where it ends.
+//! - `state.rs`: States of a strand while its step is solved: what its pack has to do, by which formula, whether it rests, what it may touch, where it ends.
 //! - `strands.rs`: Constrained strands by their numbers, or one alone.
 
 mod rest;
@@ -15,11 +15,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Matrix3, Vector3};
 
-pub use state::{FirstHalf, Formula, LookAhead, Meets, StrandEnd};
+pub use state::{FirstHalf, Formula, LookAhead, Meets, Rest, StrandEnd};
 pub use strands::{Solitary, Strands};
 
 use super::island::ending::Ending;
-use super::island::{Island, Progress};
+use super::island::{Bilateral, Island, Progress};
 use crate::chain::load::MaterialPoint;
 use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::step_constraint::EndState;
@@ -85,8 +85,6 @@ pub struct ConstrainedStrand {
     pub attachments: Vec<Attachment>,
     /// How many of them its linear model includes.
     modelled: usize,
-    /// Whether it iterates apart from other strands: its island has no other.
-    pub is_solitary: bool,
     /// The formula of its step.
     pub formula: Formula,
     /// Whether the first half of the first iteration is already done.
@@ -95,8 +93,8 @@ pub struct ConstrainedStrand {
     pub ended: Option<Ending>,
     /// How far its island's iteration has come, if it is alone in it and nothing new acts on it.
     pub progress: Option<Progress>,
-    /// It is at equilibrium under the constraints' forces: it stays where it is, while others go on, until these have changed.
-    pub resting: bool,
+    /// Whether it rests while others go on.
+    pub rest: Rest,
     /// A later search found part of it still in something that it overlapped when the step began.
     pub left_deep: bool,
     /// The last search found an overlap that no constraint represents.
@@ -105,8 +103,6 @@ pub struct ConstrainedStrand {
     pub behind: bool,
     /// Where it ends.
     pub end: StrandEnd,
-    /// How often it was woken since its island was formed.
-    pub woken: u32,
     /// Estimated distance of an element from where the iteration would converge, rad.
     pub residual: f64,
     /// What it may touch.
@@ -305,7 +301,7 @@ impl ConstrainedStrand {
             let constraint = &island.constraints[attachment.constraint as usize];
             let end = if attachment.second { constraint.second.unwrap_or(constraint.first) } else { constraint.first };
             attachment.material_point = end.material_point;
-            attachment.modelled = if self.resting { attachment.modelled } else { !constraint.is_dormant() };
+            attachment.modelled = if self.rest.is_resting() { attachment.modelled } else { !constraint.is_dormant() };
         }
         self.attachments.sort_by(|a, b| {
             let key = |x: &Attachment| (!x.modelled, x.material_point.element, x.material_point.s);
@@ -327,7 +323,7 @@ impl ConstrainedStrand {
 
     /// Cost of half an iteration, nanoseconds or so.
     pub fn half_work(&self) -> u64 {
-        if self.resting { 0 } else { self.half_work_with(self.modelled) }
+        if self.rest.is_resting() { 0 } else { self.half_work_with(self.modelled) }
     }
 
     /// How many elements it has.
@@ -349,14 +345,14 @@ impl ConstrainedStrand {
         self.choose_rest(island);
         self.sort(island);
         self.find_places(false);
-        if self.resting {
+        if self.rest.is_resting() {
             return FirstHalf::None;
         }
         self.material_points.clear();
         self.material_points.extend(self.attachments[..self.modelled].iter().map(|attachment| attachment.material_point));
         self.pull(island);
         self.bilateral.clear();
-        if island.constrained_to_world {
+        if island.bilateral == Bilateral::ToWorld {
             self.bilateral.extend(self.attachments[..self.modelled].iter().map(|end| {
                 let constraint = &island.constraints[end.constraint as usize];
                 constraint.world_constraint(&ConstrainedStep::place(self.step.now(), &end.material_point))
@@ -373,7 +369,7 @@ impl ConstrainedStrand {
             self.residual = f64::INFINITY;
             return false;
         }
-        if self.resting {
+        if self.rest.is_resting() {
             return false;
         }
         self.pull(island);

@@ -1,7 +1,7 @@
 //! The step of coupled strands: the strands that are constrained in it, their constraints, and their islands, since constraints
 //! couple strands, directly or through others.
 
-use super::constrained_strand::{Attachment, ConstrainedStrand};
+use super::constrained_strand::{Attachment, ConstrainedStrand, Rest};
 use super::detection::{ContactDetection, ContactMemory};
 use super::island::Island;
 use super::island::problem::ProblemScratch;
@@ -44,9 +44,14 @@ impl<S> Clone for Stepping<'_, S> {
 
 impl<S> Copy for Stepping<'_, S> {}
 
-/// Begins the step of the strands that are [`Formula::ToBeginAgain`](super::constrained_strand::Formula) again, by implicit
-/// Euler: whoever owns the strands' states does it.
-pub type BeginAgain<'a> = dyn FnMut(&mut Packs, &mut [ConstrainedStrand]) + 'a;
+/// What owns the strands' states and the bilateral constraints.
+pub trait CoupledScene {
+    /// Adds the constraints that the scene's bilateral constraints put on the `strands` in this step.
+    fn add_bilateral(&self, strands: &[ConstrainedStrand], constraints: &mut Vec<StepConstraint>);
+    /// Begins the step of the strands that are [`Formula::ToBeginAgain`](super::constrained_strand::Formula) again, by implicit
+    /// Euler.
+    fn begin_again(&mut self, packs: &mut Packs, strands: &mut [ConstrainedStrand]);
+}
 
 /// The constrained strands of a step, their contacts and their islands. Memory is kept from step to step.
 #[derive(Debug, Default)]
@@ -83,8 +88,6 @@ pub struct CoupledParts<'a> {
     pub strands: &'a mut [ConstrainedStrand],
     /// Their islands.
     pub islands: &'a mut [Island],
-    /// Constraints that belong to no island yet.
-    pub constraints: &'a mut Vec<StepConstraint>,
 }
 
 impl CoupledStep {
@@ -111,7 +114,6 @@ impl CoupledStep {
             packs: &mut self.packs,
             strands: &mut self.strands[..self.count],
             islands: &mut self.islands[..self.island_count],
-            constraints: &mut self.constraints,
         }
     }
 
@@ -137,7 +139,7 @@ impl CoupledStep {
 
     /// Stores the contacts' forces as the warm start of the next step, except those of islands that are subdivided.
     pub fn store_warm_start(&mut self) {
-        let islands = self.islands[..self.island_count].iter().filter(|island| !island.is_subdivided);
+        let islands = self.islands[..self.island_count].iter().filter(|island| !island.is_subdivided());
         self.detection.store_warm_start(islands, &self.strands);
     }
 
@@ -159,7 +161,7 @@ impl CoupledStep {
                 goes_on = true;
                 for constrained in &island.strands {
                     let constrained = &mut self.strands[*constrained as usize];
-                    (constrained.ended, constrained.resting, constrained.woken) = (None, false, 0);
+                    (constrained.ended, constrained.rest) = (None, Rest::Active);
                 }
             }
         }
@@ -176,7 +178,7 @@ impl CoupledStep {
         }
         for constrained in &mut self.strands[..self.count] {
             constrained.attachments.clear();
-            constrained.woken = 0;
+            constrained.rest.forget_wakes();
         }
         self.island_count = 0;
         for k in 0..self.count {

@@ -3,7 +3,7 @@
 //! alone.
 
 use super::constrained_strand::{ConstrainedStrand, Formula, LookAhead, StrandEnd};
-use super::coupled_step::{BeginAgain, CoupledStep, Stepping};
+use super::coupled_step::{CoupledScene, CoupledStep, Stepping};
 use super::island::Island;
 use super::packs::Packs;
 use crate::memory::recycled;
@@ -13,7 +13,7 @@ use crate::step::options::Integrator;
 impl CoupledStep {
     /// Before the first iteration: strands that would run into something near begin the step again by implicit Euler. The work
     /// done for this prediction is the first half of the others' first iteration.
-    pub fn predict_pressed<S: Default + Send>(&mut self, stepping: &Stepping<S>, begin_again: &mut BeginAgain) {
+    pub fn predict_pressed<S: Default + Send>(&mut self, stepping: &Stepping<S>, scene: &mut dyn CoupledScene) {
         if stepping.setting.options.integrator != Integrator::SecondOrder {
             return;
         }
@@ -55,7 +55,7 @@ impl CoupledStep {
         for constrained in &*pressed {
             strands[*constrained as usize].mark_pressed();
         }
-        restart(packs, strands, meter, begin_again);
+        restart(packs, strands, meter, scene);
     }
 
     /// After an island's contact problem: marks strands under pressure that are not on implicit Euler yet, so that they begin
@@ -70,14 +70,15 @@ impl CoupledStep {
 }
 
 /// Begins the step of the strands marked for it again, by implicit Euler.
-pub(super) fn restart(packs: &mut Packs, strands: &mut [ConstrainedStrand], meter: &Meter, begin_again: &mut BeginAgain) {
+pub(super) fn restart(packs: &mut Packs, strands: &mut [ConstrainedStrand], meter: &Meter, scene: &mut dyn CoupledScene) {
     let is_marked = |constrained: &ConstrainedStrand| constrained.formula == Formula::ToBeginAgain;
     if !strands.iter().any(is_marked) || meter.is_halted() {
         return;
     }
-    begin_again(packs, strands);
+    scene.begin_again(packs, strands);
     for constrained in strands.iter_mut().filter(|constrained| is_marked(constrained)) {
-        (constrained.formula, constrained.resting, constrained.look_ahead) = (Formula::ImplicitEuler, false, LookAhead::None);
+        (constrained.formula, constrained.look_ahead) = (Formula::ImplicitEuler, LookAhead::None);
+        constrained.rest.stir();
         // What it came to before is gone. If time ran out meanwhile, not even its pack has begun.
         constrained.end = StrandEnd::AsBegun;
     }
@@ -86,14 +87,22 @@ pub(super) fn restart(packs: &mut Packs, strands: &mut [ConstrainedStrand], mete
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::constraint::step_constraint::StepConstraint;
+
+    /// A scene whose time is up before any pack is begun.
+    struct NoTime;
+
+    impl CoupledScene for NoTime {
+        fn add_bilateral(&self, _: &[ConstrainedStrand], _: &mut Vec<StepConstraint>) {}
+        fn begin_again(&mut self, _: &mut Packs, _: &mut [ConstrainedStrand]) {}
+    }
 
     #[test]
     fn a_strand_whose_time_ran_out_as_it_began_again_ends_as_it_began() {
         let mut strands = [ConstrainedStrand::default(), ConstrainedStrand::default()];
         strands.iter_mut().for_each(|strand| strand.end = StrandEnd::Iterated);
         strands[0].formula = Formula::ToBeginAgain;
-        // Time is up before any pack is begun.
-        restart(&mut Packs::default(), &mut strands, &Meter::unlimited(), &mut |_, _| ());
+        restart(&mut Packs::default(), &mut strands, &Meter::unlimited(), &mut NoTime);
         assert_eq!(strands.each_ref().map(|strand| strand.end), [StrandEnd::AsBegun, StrandEnd::Iterated]);
         assert_eq!(strands[0].formula, Formula::ImplicitEuler);
     }

@@ -6,17 +6,17 @@
 //! - `dormant.rs`: Dormant contacts, left out of an island's contact problems for a while.
 //! - `ending.rs`: How islands' iterations end: further attempts for islands that have not converged.
 //! - `kink.rs`: Strands that lie exactly along what presses them.
-//! - `phase.rs`: Where the iteration of an island is.
 //! - `problem.rs`: The contact problem of an island's Newton iteration: the constraints in it, and its solution.
 //! - `pushing.rs`: Removes the depth of yielding contacts.
+//! - `state.rs`: States of an island: where its iteration is, whether it iterates with others, what its bilateral constraints hold.
 
 mod convergence;
 mod dormant;
 pub mod ending;
 pub mod kink;
-mod phase;
 pub mod problem;
 mod pushing;
+mod state;
 
 use nalgebra::Vector3;
 
@@ -33,7 +33,7 @@ use crate::contact::options::{ContactModel, ContactOptions};
 use crate::contact::solver::contact_space::End;
 use crate::contact::solver::gauss_seidel::Report;
 use ending::{Ending, Outcome};
-pub use phase::Phase;
+pub use state::{Bilateral, Phase, Turn};
 
 /// The residual that a rough solve leaves, as a fraction of the size of the problem; the same for the penalty models.
 const ROUGH: f64 = 1e-3;
@@ -74,8 +74,6 @@ pub struct Progress {
     pub iterations: u32,
     /// How the iteration ended, or its present state.
     pub ending: Ending,
-    /// Its forces have grown beyond measure.
-    pub beyond: bool,
     /// How often its strands were bent, see `kink.rs`.
     pub kinked: u32,
     /// How often its constraints were relaxed.
@@ -98,7 +96,6 @@ impl Default for Progress {
             report: Report::default(),
             iterations: 0,
             ending: Ending::default(),
-            beyond: false,
             kinked: 0,
             relaxings: 0,
             rest: -1.0,
@@ -123,22 +120,15 @@ pub struct Island {
     pub max_work: u64,
     /// Sweeps so far.
     pub sweeps: u32,
-    /// Whether it iterates apart from the others.
-    pub is_solitary: bool,
-    /// Newton iterations until the next search for contacts, at most.
-    pub iterations_left: u32,
+    /// When it iterates.
+    pub turn: Turn,
     /// Where its iteration is.
     pub phase: Phase,
     /// Depth of overlap left, as far as it was searched for.
     pub left: Left,
-    /// Its strands take the substep in substeps: their present end is dropped.
-    pub is_subdivided: bool,
-    /// Whether rigid constraints couple strands to the world in this iteration.
-    pub constrained_to_world: bool,
-    /// Whether strands may rest. Not with bilateral constraints, which hold to the last digit, nor in small islands, whose
-    /// strands converge sooner together.
-    pub may_rest: bool,
-    /// The residual that its constraints may have then.
+    /// What its bilateral constraints hold in this iteration.
+    pub bilateral: Bilateral,
+    /// The residual that constraints of strands at rest may have.
     pub rest_residual: f64,
     pub(super) ends: Vec<[End; 2]>,
     /// The constraints in the present contact problem: those with a moving strand at one end.
@@ -154,7 +144,7 @@ impl Island {
         self.strands.clear();
         self.constraints.clear();
         (self.sweeps, self.phase, self.progress) = (0, Phase::default(), Progress::default());
-        (self.left, self.is_subdivided) = (Left::default(), false);
+        (self.left, self.turn, self.bilateral) = (Left::default(), Turn::WithOthers, Bilateral::None);
     }
 
     /// How far it has come, if it goes on and has a single strand. (All islands are formed again when new contacts are found; one
@@ -265,13 +255,12 @@ impl Island {
 
     /// Before an iteration: moves rings to where the strands run through them, and updates bodies' surfaces at their contacts.
     pub fn refresh(&mut self, strands: &(impl Strands + ?Sized), bodies: &[BodyAt]) {
-        self.constrained_to_world = false;
-        self.may_rest = self.strands.len() > FEW && !self.has_bilateral();
+        self.bilateral = Bilateral::None;
         for constraint in &mut self.constraints {
             let strand = &strands[constraint.first.strand as usize];
-            self.constrained_to_world |=
-                constraint.give == Give::No && matches!(constraint.kind, ConstraintKind::Pin { compliance: 0.0, .. });
-            if strand.resting || strand.look_ahead != LookAhead::None || constraint.is_dormant() || constraint.in_crease {
+            self.bilateral = self.bilateral.max(constraint.holds());
+            if strand.rest.is_resting() || strand.look_ahead != LookAhead::None || constraint.is_dormant() || constraint.in_crease
+            {
                 continue;
             }
             match &mut constraint.kind {
@@ -352,7 +341,7 @@ impl Island {
         let mut motions = [0.0; 2];
         for (moved, end) in motions.iter_mut().zip(&self.ends[index][..ends]) {
             let strand = &strands[self.strands[end.strand as usize] as usize];
-            if strand.resting {
+            if strand.rest.is_resting() {
                 let motion = strand
                     .resting_displacement(end.point, &self.is_included, |constraint| self.constraints[constraint].force)
                     .norm();
@@ -360,6 +349,17 @@ impl Island {
             }
         }
         motions
+    }
+
+    /// Whether strands may rest in this iteration. Not with bilateral constraints, which hold to the last digit, nor in small
+    /// islands, whose strands converge sooner together.
+    pub fn may_rest(&self) -> bool {
+        self.strands.len() > FEW && self.bilateral == Bilateral::None
+    }
+
+    /// Whether it is to take the substep in substeps.
+    pub fn is_subdivided(&self) -> bool {
+        self.phase == Phase::Subdivided
     }
 
     /// Whether it has bilateral constraints.
@@ -375,5 +375,16 @@ impl Island {
     /// The largest [`ConstrainedStrand::usual_force`] of its strands, N.
     pub(super) fn usual_force(&self, strands: &(impl Strands + ?Sized), step: f64) -> f64 {
         self.strands.iter().map(|strand| strands[*strand as usize].usual_force(step)).fold(0.0, f64::max)
+    }
+}
+
+impl StepConstraint {
+    /// What it holds as a bilateral constraint.
+    fn holds(&self) -> Bilateral {
+        match self.kind {
+            ConstraintKind::Body { .. } | ConstraintKind::Hair { .. } => Bilateral::None,
+            ConstraintKind::Pin { compliance: 0.0, .. } if self.give == Give::No => Bilateral::ToWorld,
+            ConstraintKind::Pin { .. } | ConstraintKind::Tie { .. } | ConstraintKind::Ring { .. } => Bilateral::Strands,
+        }
     }
 }

@@ -3,10 +3,10 @@
 //! missing then is missing everywhere.
 
 use super::constrained_strand::{ConstrainedStrand, Formula};
-use super::coupled_step::{BeginAgain, CoupledStep, Scratch, Stepping};
+use super::coupled_step::{CoupledScene, CoupledStep, Scratch, Stepping};
 use super::formula::restart;
-use super::island::Island;
 use super::island::ending::Next;
+use super::island::{Island, Turn};
 use crate::memory::recycled;
 use crate::meter::Stopped;
 use crate::platform::Instant;
@@ -35,7 +35,7 @@ impl CoupledStep {
     pub(super) fn iterate<S: Scratch>(
         &mut self,
         stepping: &Stepping<S>,
-        begin_again: &mut BeginAgain,
+        scene: &mut dyn CoupledScene,
         tally: &mut IterationTally,
         most: u32,
     ) {
@@ -43,14 +43,12 @@ impl CoupledStep {
         let half = |constrained: &ConstrainedStrand| constrained.half_work_with(constrained.attachments.len());
         let is_ample = strands.iter().map(half).sum::<u64>() <= stepping.meter.left() / (2 * AMPLE);
         for island in islands.iter_mut() {
-            (island.is_solitary, island.iterations_left) = (is_ample && island.strands.len() == 1, most);
+            let is_alone = is_ample && island.strands.len() == 1;
+            island.turn = if is_alone { Turn::Alone { iterations_left: most } } else { Turn::WithOthers };
         }
-        for constrained in strands.iter_mut() {
-            constrained.is_solitary = islands[constrained.island as usize].is_solitary;
-        }
-        self.packs.forget_mixed_look_ahead(strands);
-        self.iterate_solitary(stepping, begin_again);
-        self.iterate_coupled(stepping, begin_again, most);
+        self.packs.forget_mixed_look_ahead(strands, islands);
+        self.iterate_solitary(stepping, scene);
+        self.iterate_coupled(stepping, scene, most);
         // Here and not at the end of the substep: the next search forms new islands.
         for island in &mut self.islands[..self.island_count] {
             tally.iterations = tally.iterations.max(island.progress.iterations);
@@ -59,20 +57,20 @@ impl CoupledStep {
     }
 
     /// Those of islands whose strands are not solitary.
-    fn iterate_coupled<S: Scratch>(&mut self, stepping: &Stepping<S>, begin_again: &mut BeginAgain, most: u32) {
+    fn iterate_coupled<S: Scratch>(&mut self, stepping: &Stepping<S>, scene: &mut dyn CoupledScene, most: u32) {
         let Stepping { setting, options, bodies, workers, meter, h } = *stepping;
         let Self { strands, islands, packs, count, island_count, contact_seconds, at_work, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
-        if islands.iter().all(|island| island.is_solitary) {
+        if islands.iter().all(|island| island.turn.is_alone()) {
             return;
         }
         for _ in 0..most {
             let stopped = meter.stopped();
             if stopped != Stopped::No {
-                islands.iter_mut().filter(|island| !island.is_solitary).for_each(|island| island.stop(stopped));
+                islands.iter_mut().filter(|island| !island.turn.is_alone()).for_each(|island| island.stop(stopped));
                 break;
             }
-            let coupled = islands.iter_mut().filter(|island| !island.is_solitary);
+            let coupled = islands.iter_mut().filter(|island| !island.turn.is_alone());
             for island in coupled.filter(|island| island.phase.has_ended() && island.progress.ending.stopped == Stopped::No) {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
@@ -89,11 +87,11 @@ impl CoupledStep {
                     }
                 }
             }
-            let goes = |island: &Island| !island.is_solitary && !island.phase.has_ended();
+            let goes = |island: &Island| !island.turn.is_alone() && !island.phase.has_ended();
             if !islands.iter().any(goes) {
                 break;
             }
-            restart(packs, strands, meter, begin_again);
+            restart(packs, strands, meter, scene);
             workers.for_each(islands, |island, _| {
                 if goes(island) && !meter.is_halted() {
                     island.refresh(strands, bodies);

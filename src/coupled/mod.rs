@@ -14,7 +14,7 @@
 //! - `nearest_pair.rs`: The depth of contacts between strands, from the points where the strands are nearest.
 //! - `packs.rs`: Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
 //! - `solitary.rs`: Newton iterations of strands that share no constraint with others: what touches them is bodies, or holds them in place.
-//! - `stages.rs`: The stages of a coupled step, in their order: the contacts at its start; Newton's iterations and the searches for contacts that they bring about.
+//! - `stages.rs`: The stages of a coupled step and their order.
 
 pub mod constrained_strand;
 pub(crate) mod contact_limit;

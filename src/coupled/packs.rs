@@ -117,14 +117,14 @@ impl Packs {
 
     /// Where solitary and coupled strands share a pack, these iterate at different times: what was done ahead for one would be
     /// overwritten for another, and is done again.
-    pub fn forget_mixed_look_ahead(&mut self, strands: &mut [ConstrainedStrand]) {
+    pub fn forget_mixed_look_ahead(&mut self, strands: &mut [ConstrainedStrand], islands: &[Island]) {
         if !strands.iter().any(|constrained| constrained.look_ahead == LookAhead::Done) {
             return;
         }
         self.holds.clear();
         self.holds.resize(self.count, [false; 2]);
         for constrained in &*strands {
-            self.holds[constrained.pack as usize][usize::from(constrained.is_solitary)] = true;
+            self.holds[constrained.pack as usize][usize::from(islands[constrained.island as usize].turn.is_alone())] = true;
         }
         for constrained in strands {
             if constrained.look_ahead == LookAhead::Done && self.holds[constrained.pack as usize] == [true; 2] {

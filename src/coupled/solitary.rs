@@ -4,7 +4,7 @@
 //! A strand that begins its step again needs another pack, and waits until its pack is through.
 
 use super::constrained_strand::{ConstrainedStrand, Formula, Solitary};
-use super::coupled_step::{BeginAgain, CoupledStep, Scratch, Stepping};
+use super::coupled_step::{CoupledScene, CoupledStep, Scratch, Stepping};
 use super::formula::restart;
 use super::island::Island;
 use super::island::ending::Next;
@@ -30,27 +30,29 @@ struct Spent {
 
 /// Whether a strand takes part in the next iteration.
 fn goes_on(constrained: &ConstrainedStrand, island: &Island) -> bool {
-    !island.phase.has_ended() && island.iterations_left > 0 && constrained.formula != Formula::ToBeginAgain
+    !island.phase.has_ended() && island.turn.is_left() && constrained.formula != Formula::ToBeginAgain
 }
 
 impl CoupledStep {
     /// The iterations that solitary strands have left until the next search.
-    pub(super) fn iterate_solitary<S: Scratch>(&mut self, stepping: &Stepping<S>, begin_again: &mut BeginAgain) {
+    pub(super) fn iterate_solitary<S: Scratch>(&mut self, stepping: &Stepping<S>, scene: &mut dyn CoupledScene) {
         let Stepping { workers, meter, .. } = *stepping;
         loop {
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             let stopped = meter.stopped();
             if stopped != Stopped::No {
-                return islands.iter_mut().filter(|island| island.is_solitary).for_each(|island| island.stop(stopped));
+                return islands.iter_mut().filter(|island| island.turn.is_alone()).for_each(|island| island.stop(stopped));
             }
             distribute_work(islands, |island| !island.phase.has_ended(), meter.left());
             let spent = std::sync::Mutex::new(Spent::default());
             let begins = Instant::now();
             let mut next_islands = islands.iter_mut().enumerate();
-            let members = strands.iter_mut().filter(|constrained| constrained.is_solitary).filter_map(|constrained| {
-                // Islands of one strand are in the order of their strands.
-                let (_, island) = next_islands.find(|(k, _)| *k == constrained.island as usize)?;
-                (island.iterations_left > 0).then_some((constrained, island))
+            // Islands are in the order of their first strands.
+            let mut next_island = next_islands.next();
+            let members = strands.iter_mut().filter_map(|constrained| {
+                let (_, island) = next_island.take_if(|(k, _)| *k == constrained.island as usize)?;
+                next_island = next_islands.next();
+                island.turn.is_left().then_some((constrained, island))
             });
             let place = |(constrained, _): &Member| (constrained.pack, constrained.lane);
             with_work(self.packs.all(), &mut self.solitary_work, members, place, |work| {
@@ -69,12 +71,12 @@ impl CoupledStep {
             let islands = &self.islands[..self.island_count];
             let waits = |constrained: &ConstrainedStrand| {
                 let island = &islands[constrained.island as usize];
-                constrained.is_solitary && !island.phase.has_ended() && island.iterations_left > 0
+                !island.phase.has_ended() && island.turn.is_left()
             };
             if !meter.is_halted() && !self.strands[..self.count].iter().any(waits) {
                 return;
             }
-            restart(&mut self.packs, &mut self.strands[..self.count], meter, begin_again);
+            restart(&mut self.packs, &mut self.strands[..self.count], meter, scene);
         }
     }
 }
@@ -87,7 +89,7 @@ fn iterate_pack<S: Scratch>(Work { pack, members }: &mut Work<Member>, stepping:
     let mut contact = 0.0;
     while !meter.is_halted() {
         for (constrained, island) in members.iter_mut().flatten() {
-            if !island.phase.has_ended() || island.progress.ending.stopped != Stopped::No || island.iterations_left == 0 {
+            if !island.phase.has_ended() || island.progress.ending.stopped != Stopped::No || !island.turn.is_left() {
                 continue;
             }
             if let Some(kink) = island.kinks(&Solitary(constrained), options).first() {
@@ -103,7 +105,7 @@ fn iterate_pack<S: Scratch>(Work { pack, members }: &mut Work<Member>, stepping:
             break;
         }
         for (_, (constrained, island)) in running(members).filter(|(lane, _)| goes[*lane]) {
-            island.iterations_left -= 1;
+            island.turn.take();
             island.refresh(&Solitary(constrained), bodies);
         }
         let at_work = running(members).filter(|(lane, _)| goes[*lane] && !meter.is_halted());

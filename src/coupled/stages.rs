@@ -1,13 +1,13 @@
-//! The stages of a coupled step, in their order: the contacts at its start; Newton's iterations and the searches for contacts that
-//! they bring about; the depth that is left where that has failed.
+//! The stages of a coupled step and their order. The scene begins the strands' steps before them; after them it reads where the strands
+//! end, has islands that have failed take the substep in substeps, and reports.
 
 use super::constrained_strand::ConstrainedStrand;
 use super::contact_limit;
-use super::coupled_step::{BeginAgain, CoupledStep, Scratch, Stepping};
+use super::coupled_step::{CoupledScene, CoupledStep, Scratch, Stepping};
 use super::detection::unseen;
 use super::iterations::IterationTally;
-use crate::contact::broad_phase::hair_pairs::Tie;
 use crate::meter::Stopped;
+use crate::platform::Instant;
 
 /// The largest number of searches for undetected contacts.
 const MAX_SEARCHES: u32 = 16;
@@ -19,25 +19,97 @@ const EARLY_ITERATIONS: u32 = 2;
 /// Cost of a constraint found by a search, nanoseconds or so.
 const WORK_A_CONSTRAINT: u64 = 3000;
 
+/// A stage of a coupled step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    /// The contacts at the start of the step are detected; they begin with the forces of the last step.
+    Detection,
+    /// Strands that constraints couple form islands.
+    Coupling,
+    /// Strands that would run into something begin again by implicit Euler.
+    Prediction,
+    /// Newton's iterations of all islands, with further attempts where they fail: all to their end, or a few before an early search.
+    /// Strands at equilibrium rest meanwhile.
+    Iteration,
+    /// Contacts that the iterations have brought about are searched for. What is new is added, and strands are coupled again; if
+    /// nothing is, islands that were solved roughly iterate on.
+    Search,
+    /// No more contacts may be added: what a last search finds is reported.
+    LastSearch,
+    /// Ends whose energy has risen are rejected.
+    Rejection,
+    /// The depth that is left is measured where the step has failed.
+    Depths,
+}
+
+/// Iterations and searches alternate in rounds.
+#[derive(Debug)]
+struct Round {
+    /// Searches done.
+    search: u32,
+    /// Their limit.
+    searches: u32,
+    /// Whether islands are solved roughly.
+    rough: bool,
+}
+
 impl CoupledStep {
-    /// Detects the contacts at the start of the step of strands that are `tied` together (by their indices in the solver): as
-    /// constraints that belong to no island yet.
-    pub fn detect<S: Scratch>(&mut self, stepping: &Stepping<S>, tied: impl Iterator<Item = Tie>) {
+    /// Takes the strands of a `scene`, whose step has begun, through all stages. Returns when the iterations began, where time is
+    /// limited.
+    pub fn run<S: Scratch>(
+        &mut self,
+        stepping: &Stepping<S>,
+        scene: &mut dyn CoupledScene,
+        is_last: bool,
+        tally: &mut IterationTally,
+    ) -> Option<Instant> {
+        let searches = self.searches(stepping);
+        // The solve is rough until a search finds nothing new: a contact detected later would undo an exact solution.
+        let mut round = Round { search: 0, searches, rough: searches > 0 };
+        let mut stage = Some(Stage::Detection);
+        let mut begins = None;
+        while let Some(present) = stage {
+            if present == Stage::Iteration && begins.is_none() && stepping.meter.has_deadline() {
+                begins = Some(Instant::now());
+            }
+            stage = match present {
+                Stage::Detection => self.detect(stepping, scene),
+                Stage::Coupling => self.couple(&round),
+                Stage::Prediction => self.predict(stepping, scene),
+                Stage::Iteration => self.iterate_round(stepping, scene, &mut round, tally),
+                Stage::Search => self.search(stepping, &mut round, tally),
+                Stage::LastSearch => self.search_last(stepping),
+                Stage::Rejection => self.reject(stepping),
+                Stage::Depths => self.measure_depths(stepping, is_last),
+            };
+        }
+        begins
+    }
+
+    /// The contacts at the start of the step and the scene's bilateral constraints: as constraints that belong to no island yet.
+    fn detect<S: Scratch>(&mut self, stepping: &Stepping<S>, scene: &mut dyn CoupledScene) -> Option<Stage> {
         let strands = &mut self.strands[..self.count];
         self.constraints.clear();
-        self.detection.begin_step(tied);
         self.detection.find(stepping, strands, true);
         if !stepping.meter.is_halted() {
             self.detection.constraints(stepping, strands, &mut self.constraints);
         }
         contact_limit::thin_out(&mut self.constraints, strands, stepping.meter.left());
+        scene.add_bilateral(strands, &mut self.constraints);
+        stepping.meter.spend(self.constraints.len() as u64 * WORK_A_CONSTRAINT);
+        Some(Stage::Coupling)
     }
 
     /// Couples the strands by all constraints.
-    pub fn couple<S>(&mut self, stepping: &Stepping<S>) {
-        stepping.meter.spend(self.constraints.len() as u64 * WORK_A_CONSTRAINT);
-        let rough = self.searches(stepping) > 0;
-        self.tie(rough);
+    fn couple(&mut self, round: &Round) -> Option<Stage> {
+        self.tie(round.rough);
+        Some(if round.search == 0 { Stage::Prediction } else { Stage::Iteration })
+    }
+
+    /// Has strands that would run into something begin again by implicit Euler.
+    fn predict<S: Scratch>(&mut self, stepping: &Stepping<S>, scene: &mut dyn CoupledScene) -> Option<Stage> {
+        self.predict_pressed(stepping, scene);
+        Some(Stage::Iteration)
     }
 
     /// The largest number of searches for undetected contacts.
@@ -52,56 +124,65 @@ impl CoupledStep {
         MAX_SEARCHES
     }
 
-    /// Newton's iterations of all islands, and searches for undetected contacts between them.
-    pub fn solve<S: Scratch>(&mut self, stepping: &Stepping<S>, begin_again: &mut BeginAgain, tally: &mut IterationTally) {
-        let searches = self.searches(stepping);
-        // The solve is rough until a search finds nothing new: a contact detected later would undo an exact solution.
-        let mut rough = searches > 0;
-        for search in 0..searches {
-            self.iterate(stepping, begin_again, tally, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
+    /// Newton's iterations of all islands until the next search.
+    fn iterate_round<S: Scratch>(
+        &mut self,
+        stepping: &Stepping<S>,
+        scene: &mut dyn CoupledScene,
+        round: &mut Round,
+        tally: &mut IterationTally,
+    ) -> Option<Stage> {
+        let most = if round.search < EARLY.min(round.searches) { EARLY_ITERATIONS } else { u32::MAX };
+        self.iterate(stepping, scene, tally, most);
+        if round.search < round.searches {
             let stopped = stepping.meter.stopped();
-            if stopped != Stopped::No {
-                return self.stop(stopped);
+            if stopped == Stopped::No {
+                return Some(Stage::Search);
             }
-            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-            self.detection.find(stepping, strands, false);
-            if stepping.meter.is_halted() {
-                return self.interrupt(stepping);
-            }
-            let more = self.detection.add_undetected(stepping, strands, islands, &mut self.constraints);
-            if !more && stepping.meter.is_halted() {
-                return self.interrupt(stepping);
-            }
-            if more {
-                tally.searches += 1;
-                contact_limit::thin_out(&mut self.constraints, strands, stepping.meter.left());
-                self.tie(rough);
-            } else if self.is_done() {
-                if !(rough && self.refine()) {
-                    return;
-                }
-                rough = false;
-            }
+            self.stop(stopped);
+            return Some(Stage::Rejection);
         }
-        self.iterate(stepping, begin_again, tally, u32::MAX);
-        if rough && self.refine() {
-            self.iterate(stepping, begin_again, tally, u32::MAX);
+        if std::mem::take(&mut round.rough) && self.refine() {
+            return Some(Stage::Iteration);
         }
-        if searches > 0 && !stepping.meter.is_halted() {
-            // No more contacts are added, and what there is is reported.
-            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-            self.detection.find(stepping, strands, false);
-            if stepping.meter.is_halted() {
-                return self.interrupt(stepping);
-            }
-            if !self.detection.report_undetected(stepping, strands, islands) {
-                self.interrupt(stepping);
-            }
-        }
+        Some(if round.searches > 0 && !stepping.meter.is_halted() { Stage::LastSearch } else { Stage::Rejection })
     }
 
-    /// The last search was halted: strands that it has not reached may have undetected contacts.
-    fn interrupt<S>(&mut self, stepping: &Stepping<S>) {
+    /// Searches for contacts that no constraint represents, and adds them.
+    fn search<S: Scratch>(&mut self, stepping: &Stepping<S>, round: &mut Round, tally: &mut IterationTally) -> Option<Stage> {
+        let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+        self.detection.find(stepping, strands, false);
+        if stepping.meter.is_halted() {
+            return self.interrupt(stepping);
+        }
+        let more = self.detection.add_undetected(stepping, strands, islands, &mut self.constraints);
+        if !more && stepping.meter.is_halted() {
+            return self.interrupt(stepping);
+        }
+        round.search += 1;
+        if more {
+            tally.searches += 1;
+            contact_limit::thin_out(&mut self.constraints, strands, stepping.meter.left());
+            return Some(Stage::Coupling);
+        }
+        if self.is_done() && !(std::mem::take(&mut round.rough) && self.refine()) {
+            return Some(Stage::Rejection);
+        }
+        Some(Stage::Iteration)
+    }
+
+    /// The last search: no more contacts are added, and what there is is reported.
+    fn search_last<S: Scratch>(&mut self, stepping: &Stepping<S>) -> Option<Stage> {
+        let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+        self.detection.find(stepping, strands, false);
+        if stepping.meter.is_halted() || !self.detection.report_undetected(stepping, strands, islands) {
+            return self.interrupt(stepping);
+        }
+        Some(Stage::Rejection)
+    }
+
+    /// A search was halted: strands that it has not reached may have undetected contacts.
+    fn interrupt<S>(&mut self, stepping: &Stepping<S>) -> Option<Stage> {
         let (why, unseen) = (stepping.meter.stopped(), unseen(stepping.options));
         self.stop(why);
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
@@ -109,11 +190,27 @@ impl CoupledStep {
             constrained.has_undetected = true;
             islands[constrained.island as usize].interrupt(why);
         }
+        Some(Stage::Rejection)
+    }
+
+    /// Rejects ends whose energy has risen.
+    fn reject<S>(&mut self, stepping: &Stepping<S>) -> Option<Stage> {
+        if !stepping.options.model.is_soft() {
+            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+            islands.iter_mut().for_each(|island| island.reject_risen(strands, stepping.h));
+        }
+        Some(Stage::Depths)
+    }
+
+    /// Measures how deep strands are left, at no cost to the budget: whatever was cut short is reported.
+    fn measure_depths<S: Scratch>(&mut self, stepping: &Stepping<S>, is_last: bool) -> Option<Stage> {
+        stepping.meter.uncounted(|| self.look_at_failures(stepping, is_last));
+        None
     }
 
     /// Measures the depth of islands that have not converged or are held apart by springs, and of overlap that no constraint
     /// represents. Their constraints only tell the depth where the contacts were found.
-    pub fn look_at_failures<S: Scratch>(&mut self, stepping: &Stepping<S>, is_last: bool) {
+    fn look_at_failures<S: Scratch>(&mut self, stepping: &Stepping<S>, is_last: bool) {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
         if stepping.meter.is_halted() {
             return;

@@ -27,13 +27,14 @@ use super::ties::ties;
 use super::workers::{WorkerScratch, WorkerSet};
 use crate::contact::body::Body;
 use crate::contact::body_at::BodyAt;
+use crate::contact::constraint::step_constraint::StepConstraint;
 use crate::contact::options::{ContactModel, ContactOptions};
-use crate::coupled::constrained_strand::{ConstrainedStrand, Formula, LookAhead, Meets, StrandEnd};
-use crate::coupled::coupled_step::{CoupledParts, CoupledStep, Stepping};
+use crate::coupled::constrained_strand::{ConstrainedStrand, Formula, LookAhead, Meets, Rest, StrandEnd};
+use crate::coupled::coupled_step::{CoupledParts, CoupledScene, CoupledStep, Stepping};
 use crate::coupled::detection::ContactMemory;
 use crate::coupled::island::ending::Outcome;
 use crate::coupled::iterations::IterationTally;
-use crate::coupled::packs::Work;
+use crate::coupled::packs::{Packs, Work};
 use crate::math::lanes::InstructionSet;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
@@ -203,21 +204,11 @@ impl ConstrainedSubstep {
         }
         self.begin(scene, h);
         let stepping = scene.stepping(h);
-        self.coupled.detect(&stepping, ties(scene.constraints, |id| scene.slots.index(id)));
-        self.add_bilateral(scene, h);
-        self.coupled.couple(&stepping);
-        let mut begin_again = packs::begin_again(scene, &mut self.pairs, h);
-        self.coupled.predict_pressed(&stepping, &mut begin_again);
-        let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
+        self.coupled.detection().begin_step(ties(scene.constraints, |id| scene.slots.index(id)));
         let mut tally = IterationTally::default();
-        self.coupled.solve(&stepping, &mut begin_again, &mut tally);
-        drop(begin_again);
+        let is_last = scene.is_last;
+        let iterates = self.coupled.run(&stepping, &mut Beginning { scene, pairs: &mut self.pairs, h }, is_last, &mut tally);
         account.contact.count(&tally);
-        if !scene.options.model.is_soft() {
-            let CoupledParts { strands, islands, .. } = self.coupled.parts();
-            islands.iter_mut().for_each(|island| island.reject_risen(strands, h));
-        }
-        scene.meter.uncounted(|| self.coupled.look_at_failures(&stepping, scene.is_last));
         let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
         let taking = if goes_on { self.choose_subdivided(scene) } else { Vec::new() };
@@ -225,8 +216,9 @@ impl ConstrainedSubstep {
         let substeps = (!taking.is_empty()).then(|| self.take_substeps(scene, h, levels - 1, &taking));
         self.report_replaced(scene, h);
         self.report(scene, h, &mut account);
-        if let (None, Some(begin), Some(ends)) = (&substeps, begin, ends) {
-            self.overhead = Overhead { begin, end: ends.elapsed().as_secs_f64() };
+        if let (None, Some(begins), Some(iterates), Some(ends)) = (&substeps, begins, iterates, ends) {
+            let (begin, end) = ((iterates - begins).as_secs_f64(), ends.elapsed().as_secs_f64());
+            self.overhead = Overhead { begin, end };
         }
         if let Some(substeps) = substeps {
             self.add_substeps(&substeps, account);
@@ -255,7 +247,7 @@ impl ConstrainedSubstep {
                     constrained.end = StrandEnd::WithRoot;
                     return;
                 }
-                let at_end = constrained.resting || island.progress.ending.outcome >= Outcome::AttemptConverged;
+                let at_end = constrained.rest.is_resting() || island.progress.ending.outcome >= Outcome::AttemptConverged;
                 let converged = !constrained.has_undetected
                     && (island.progress.ending.is_converged() || (at_end && island.holds(&constrained.attachments)));
                 let quarantined = constrained.step.outcome.quarantined || island.has_diverged(constrained);
@@ -321,7 +313,7 @@ impl ConstrainedSubstep {
                 () => Meets::All,
             };
             constrained.formula = if strand.touched { Formula::ImplicitEuler } else { Formula::AsSet };
-            constrained.resting = false;
+            constrained.rest = Rest::Active;
             (constrained.ended, constrained.progress) = (None, None);
             (constrained.left_deep, constrained.has_undetected, constrained.behind) = (false, false, false);
             (constrained.root_gap, constrained.look_ahead, constrained.end) =
@@ -331,14 +323,26 @@ impl ConstrainedSubstep {
         packs::begin(packs, &mut self.pairs, scene, constrained_strands, h, |_| true);
         scene.meter.spend(constrained_strands.iter().map(ConstrainedStrand::half_work).sum());
     }
+}
 
-    /// Adds the constraints of the scene's bilateral constraints.
-    fn add_bilateral(&mut self, scene: &Scene, h: f64) {
-        let CoupledParts { strands: constrained, constraints, .. } = self.coupled.parts();
+/// A scene while its constrained strands are stepped.
+struct Beginning<'b, 'a> {
+    scene: &'b mut Scene<'a>,
+    pairs: &'b mut PairWork,
+    h: f64,
+}
+
+impl CoupledScene for Beginning<'_, '_> {
+    fn begin_again(&mut self, packs: &mut Packs, strands: &mut [ConstrainedStrand]) {
+        packs::begin(packs, self.pairs, self.scene, strands, self.h, |strand| strand.formula == Formula::ToBeginAgain);
+    }
+
+    fn add_bilateral(&self, strands: &[ConstrainedStrand], constraints: &mut Vec<StepConstraint>) {
+        let Self { scene, h, .. } = self;
         for (k, constraint) in scene.constraints.iter().enumerate() {
             let find = |id| {
                 let index = scene.slots.index(id)?;
-                let place = constrained.binary_search_by_key(&(index as u32), |constrained| constrained.index).ok()?;
+                let place = strands.binary_search_by_key(&(index as u32), |strand| strand.index).ok()?;
                 Some((place as u32, &scene.strands[index].model))
             };
             if constraint.state.status == ConstraintStatus::Released {
@@ -350,7 +354,7 @@ impl ConstrainedSubstep {
             if other.is_some() && second.is_none() {
                 continue;
             }
-            constraint.step_constraints(k as u32, h, first, second, |constraint| constraints.push(constraint));
+            constraint.step_constraints(k as u32, *h, first, second, |constraint| constraints.push(constraint));
         }
     }
 }

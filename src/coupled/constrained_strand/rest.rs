@@ -5,30 +5,27 @@ use nalgebra::Vector3;
 use super::{Attachment, ConstrainedStrand};
 use crate::coupled::island::Island;
 
-/// A strand that was woken this often does not rest again: two neighbours could wake each other in turn for ever.
-const MAX_WAKES: u32 = 2;
-
 impl ConstrainedStrand {
     /// Before an iteration: decides whether this strand rests.
     pub(super) fn choose_rest(&mut self, island: &Island) {
         let constraint = |end: &Attachment| &island.constraints[end.constraint as usize];
         // A contact that is no longer dormant must be in its model.
         let lacks = |end: &Attachment| !end.modelled && !constraint(end).is_dormant();
-        self.resting = if !island.may_rest {
-            false
-        } else if self.resting {
-            let wakes = self.attachments.iter().any(|end| lacks(end) || constraint(end).standing.wakes[usize::from(end.second)]);
-            self.woken += u32::from(wakes);
-            !wakes
-        } else {
-            self.woken < MAX_WAKES
-                && island.progress.iterations > 0
-                && self.residual <= island.progress.rest
-                && self.attachments.iter().all(|end| {
-                    let standing = &constraint(end).standing;
-                    !lacks(end) && standing.holds && standing.law_residual <= island.rest_residual
-                })
-        };
+        if !island.may_rest() {
+            self.rest.stir();
+        } else if self.rest.is_resting() {
+            if self.attachments.iter().any(|end| lacks(end) || constraint(end).standing.wakes[usize::from(end.second)]) {
+                self.rest.wake();
+            }
+        } else if self.rest.may_rest() && island.progress.iterations > 0 && self.residual <= island.progress.rest {
+            let is_settled = |end: &Attachment| {
+                let standing = &constraint(end).standing;
+                !lacks(end) && standing.holds && standing.law_residual <= island.rest_residual
+            };
+            if self.attachments.iter().all(is_settled) {
+                self.rest.settle();
+            }
+        }
     }
 
     /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have

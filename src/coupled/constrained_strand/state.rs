@@ -1,4 +1,5 @@
-//! States of a strand while its step is solved: what its pack has to do, by which formula, what it may touch, where it ends.
+//! States of a strand while its step is solved: what its pack has to do, by which formula, whether it rests, what it may touch, where
+//! it ends.
 
 /// What a strand's pack has to do in the first half of an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,6 +41,66 @@ impl Formula {
     /// Whether a step that begins with it is one of first order, by implicit Euler.
     pub fn is_first_order(self) -> bool {
         self != Self::AsSet
+    }
+}
+
+/// Whether a strand is at equilibrium under its constraints' forces, and stays where it is while others of its island go on. It is
+/// woken at most twice: two neighbours could wake each other in turn for ever.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rest {
+    /// It moves, and has not rested since its island was formed.
+    #[default]
+    Active,
+    /// It rests.
+    Resting,
+    /// It moves: changed forces have woken it.
+    Woken,
+    /// It rests again.
+    RestingAgain,
+    /// It moves and rests no more.
+    Awake,
+}
+
+impl Rest {
+    /// Whether it rests.
+    pub fn is_resting(self) -> bool {
+        matches!(self, Self::Resting | Self::RestingAgain)
+    }
+
+    /// Whether it moves, and may come to rest.
+    pub(super) fn may_rest(self) -> bool {
+        matches!(self, Self::Active | Self::Woken)
+    }
+
+    /// It comes to rest.
+    pub(crate) fn settle(&mut self) {
+        *self = match self {
+            Self::Active | Self::Resting => Self::Resting,
+            Self::Woken | Self::RestingAgain | Self::Awake => Self::RestingAgain,
+        };
+    }
+
+    /// Changed forces wake it.
+    pub(super) fn wake(&mut self) {
+        *self = match self {
+            Self::Active => Self::Active,
+            Self::Resting | Self::Woken => Self::Woken,
+            Self::RestingAgain | Self::Awake => Self::Awake,
+        };
+    }
+
+    /// It moves for another reason than changed forces.
+    pub(crate) fn stir(&mut self) {
+        *self = match self {
+            Self::Active | Self::Resting => Self::Active,
+            Self::Woken | Self::RestingAgain => Self::Woken,
+            Self::Awake => Self::Awake,
+        };
+    }
+
+    /// Its island is formed again: it may be woken as often as at first.
+    pub(crate) fn forget_wakes(&mut self) {
+        *self = if self.is_resting() { Self::Resting } else { Self::Active };
     }
 }
 

@@ -105,7 +105,9 @@ impl ContactDetection {
         for constrained in strands.iter_mut() {
             let island = &islands[constrained.island as usize];
             (constrained.ended, constrained.progress) = (island.ended(), island.unfinished());
-            constrained.resting |= constrained.ended.is_some_and(|ending| ending.is_converged());
+            if constrained.ended.is_some_and(|ending| ending.is_converged()) {
+                constrained.rest.settle();
+            }
         }
         for end in undetected.iter().flat_map(StepConstraint::ends) {
             let strand = &mut strands[end.strand as usize];

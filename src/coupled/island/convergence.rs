@@ -112,17 +112,7 @@ impl Island {
         }
         // Resting constraints are reported as well, but nothing waits for them.
         self.progress.ending.residual = self.progress.ending.residual.max(rested);
-        let largest = |contacts: bool| {
-            let of = self
-                .constraints
-                .iter()
-                .filter(|constraint| constraint.is_contact() == contacts)
-                .map(|constraint| constraint.force.norm());
-            of.fold(0.0, f64::max)
-        };
-        let usual = self.usual_force(strands, step);
-        self.progress.beyond = largest(true) > NO_SOLUTION * usual
-            || self.has_bilateral() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
+        let beyond = self.is_beyond_measure(strands, step);
         let idle = !options.model.is_soft()
             && (residual <= STILL * tolerance_asked || self.progress.report.residual > HOPELESS * self.progress.report.size);
         self.progress.idle = if idle { self.progress.idle + 1 } else { 0 };
@@ -133,7 +123,7 @@ impl Island {
         let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
         let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
         let slow = !waits_only && !self.has_bilateral() && self.progress.iterations >= got_on + patience;
-        let stuck = slow || self.progress.beyond || self.has_bilateral() && self.progress.idle > IDLE;
+        let stuck = slow || beyond || self.has_bilateral() && self.progress.idle > IDLE;
         let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
         // One contact slightly beyond the rough tolerance says nothing about the end.
         let good = good && !wakes_some || self.phase.is_rough() && slow && enough;
@@ -153,6 +143,17 @@ impl Island {
             () if ends && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
             () => Outcome::Unconverged,
         };
+    }
+
+    /// Whether its forces have grown beyond measure: its contact problem has no solution.
+    pub(super) fn is_beyond_measure(&self, strands: &(impl Strands + ?Sized), step: f64) -> bool {
+        let largest = |contacts: bool| {
+            let of = self.constraints.iter().filter(|constraint| constraint.is_contact() == contacts);
+            of.map(|constraint| constraint.force.norm()).fold(0.0, f64::max)
+        };
+        let usual = self.usual_force(strands, step);
+        largest(true) > NO_SOLUTION * usual
+            || self.has_bilateral() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands))
     }
 }
 

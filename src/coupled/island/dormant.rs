@@ -18,7 +18,7 @@ const ASIDE: f64 = 1.0;
 impl StepConstraint {
     /// Whether a strand at one of its ends takes part in the iteration.
     pub(super) fn moves(&self, strands: &(impl Strands + ?Sized)) -> bool {
-        self.ends().any(|end| !strands[end.strand as usize].resting)
+        self.ends().any(|end| !strands[end.strand as usize].rest.is_resting())
     }
 
     /// Takes it into contact problems again; it may fall asleep once more.

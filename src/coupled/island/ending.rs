@@ -175,9 +175,11 @@ impl Island {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
+        let beyond = self.is_beyond_measure(strands, step);
         let may_yield = matches!(self.progress.ending.attempt, Attempt::Whole | Attempt::Yielding);
-        let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, step);
-        if forgives && self.progress.ending.attempt == Attempt::Whole && !self.progress.beyond {
+        let forgives =
+            may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, beyond, step);
+        if forgives && self.progress.ending.attempt == Attempt::Whole && !beyond {
             // The normals of bodies stay as they are.
             (self.progress.iterations, self.progress.ending.attempt) = (LOOKS, Attempt::Yielding);
             self.phase = self.phase.resumed();
@@ -185,7 +187,7 @@ impl Island {
             return Next::GoesOn;
         }
         if !forgives {
-            self.relax(strands, options, step);
+            self.relax(strands, options, beyond, step);
             self.progress.relaxings = if options.model.is_soft() { RELAXINGS } else { self.progress.relaxings + 1 };
         }
         self.progress.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
@@ -199,9 +201,9 @@ impl Island {
         Next::BeginsAgain
     }
 
-    /// Lets the contacts of diverged strands yield. False if none is new.
-    fn let_some_yield(&mut self, strands: &(impl Strands + ?Sized), step: f64) -> bool {
-        let diverged = self.diverged_strands(strands, step);
+    /// Lets the contacts of diverged strands yield. False if none is new. `beyond`: see [`Island::is_beyond_measure`].
+    fn let_some_yield(&mut self, strands: &(impl Strands + ?Sized), beyond: bool, step: f64) -> bool {
+        let diverged = self.diverged_strands(strands, beyond, step);
         let mut some = false;
         for constraint in &mut self.constraints {
             if constraint.give == Give::No && constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
@@ -213,8 +215,8 @@ impl Island {
     }
 
     /// Relaxes all constraints of diverged strands; from the second time on, those of their neighbours too.
-    fn relax(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, step: f64) {
-        let mut diverged = self.diverged_strands(strands, step);
+    fn relax(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, beyond: bool, step: f64) {
+        let mut diverged = self.diverged_strands(strands, beyond, step);
         if self.progress.relaxings > 0 {
             let meets = |constraint: &&StepConstraint| constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok());
             let mut all: Vec<u32> =
@@ -233,15 +235,15 @@ impl Island {
 
     /// The diverged strands, ascending: those with forces beyond measure where there are any, else those too far from
     /// convergence or with constraints that are.
-    fn diverged_strands(&self, strands: &(impl Strands + ?Sized), step: f64) -> Vec<u32> {
+    fn diverged_strands(&self, strands: &(impl Strands + ?Sized), beyond: bool, step: f64) -> Vec<u32> {
         let far = |strand: &&u32| {
             let residual = strands[**strand as usize].residual;
-            !self.progress.beyond && (residual > ENOUGH_TURN || residual.is_nan())
+            !beyond && (residual > ENOUGH_TURN || residual.is_nan())
         };
         let mut diverged: Vec<u32> = self.strands.iter().filter(far).copied().collect();
         let large = LARGE * self.usual_force(strands, step);
         let off = |constraint: &&StepConstraint| {
-            if self.progress.beyond { constraint.force.norm() > large } else { !constraint.standing.nearly }
+            if beyond { constraint.force.norm() > large } else { !constraint.standing.nearly }
         };
         for constraint in self.constraints.iter().filter(off) {
             diverged.extend(constraint.ends().map(|end| end.strand));

@@ -99,7 +99,8 @@ impl ConstrainedStrand {
         let (sine, cosine) = sine_cosine(SIDES * f64::from(self.index));
         let curvature = kink.turn / self.length();
         pack.bend(self.lane as usize, [curvature * cosine, curvature * sine], setting, &mut self.step);
-        (self.residual, self.resting) = (f64::INFINITY, false);
+        self.residual = f64::INFINITY;
+        self.rest.stir();
         self.moved();
     }
 }

@@ -88,7 +88,7 @@ impl Island {
             let [first, second] = self.ends[constraint];
             let at = |end: End| {
                 let strand = &strands[self.strands[end.strand as usize] as usize];
-                if strand.resting {
+                if strand.rest.is_resting() {
                     strand.resting_displacement(end.point, &self.is_included, |_| Vector3::zeros())
                 } else {
                     strand.unconstrained(end.point)

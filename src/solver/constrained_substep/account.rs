@@ -78,7 +78,7 @@ impl ConstrainedSubstep {
         let contact = &mut *account.contact;
         (contact.contacts, contact.roots_inside, contact.capped) = (0, 0, 0);
         for constrained in strands {
-            if !islands[constrained.island as usize].is_subdivided {
+            if !islands[constrained.island as usize].is_subdivided() {
                 account.tally.add(&constrained.step.outcome);
             }
             contact.penetration = contact.penetration.max(-constrained.root_gap);
@@ -92,7 +92,7 @@ impl ConstrainedSubstep {
             let strand = &strands[constrained as usize];
             (scene.strands[strand.index as usize].id, strand.along(material_point))
         };
-        for island in islands.iter().filter(|island| !island.is_subdivided) {
+        for island in islands.iter().filter(|island| !island.is_subdivided()) {
             contact.unconverged += u32::from(!island.progress.ending.is_converged());
             contact.residual = contact.residual.max(island.progress.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);

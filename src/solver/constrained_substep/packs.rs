@@ -2,7 +2,7 @@
 //! (`coupled/packs.rs`).
 
 use super::Scene;
-use crate::coupled::constrained_strand::{ConstrainedStrand, Formula};
+use crate::coupled::constrained_strand::ConstrainedStrand;
 use crate::coupled::packs::{MAX_LANES, Packs, Work, with_work};
 use crate::math::frame::Frame;
 use crate::math::lane::Precision;
@@ -94,15 +94,6 @@ pub(super) fn finish(work: &mut Work<Pair>, setting: &Setting, h: f64, ends: imp
     if lanes.iter().any(Option::is_some) {
         work.pack.finish(&Present(strands), setting, h, &mut lanes);
     }
-}
-
-/// Begins the step of strands that are to begin again.
-pub(super) fn begin_again<'b, 's>(
-    scene: &'b mut Scene<'s>,
-    memory: &'b mut PairWork,
-    h: f64,
-) -> impl FnMut(&mut Packs, &mut [ConstrainedStrand]) + use<'b, 's> {
-    move |packs, strands| begin(packs, memory, scene, strands, h, |constrained| constrained.formula == Formula::ToBeginAgain)
 }
 
 /// Strands by their lanes; unused lanes show one of them.

@@ -10,7 +10,7 @@ use crate::contact::body::Body;
 use crate::contact::body_at::BodyAt;
 use crate::contact::contact_point::Partner;
 use crate::coupled::constrained_strand::{ConstrainedStrand, StrandEnd};
-use crate::coupled::island::{FEW, Island};
+use crate::coupled::island::{FEW, Island, Phase};
 use crate::meter::Stopped;
 use crate::solver::deep_places::CurrentScene;
 use crate::solver::report::Wrench;
@@ -52,7 +52,9 @@ impl ConstrainedSubstep {
             // other.)
             let large = !scene.is_nested && (island.is_diverged() || island.left.newly > deep);
             let few = island.strands.len() <= FEW && !island.constraints.iter().any(|constraint| constraint.deep);
-            island.is_subdivided = may && (few || large);
+            if may && (few || large) {
+                island.phase = Phase::Subdivided;
+            }
         }
         let before = |strand: usize| scene.strands[self.coupled.strands()[strand].index as usize].clone();
         self.subdivided().map(|strand| BeforeSubsteps { strand, before: before(strand) }).collect()
@@ -66,7 +68,7 @@ impl ConstrainedSubstep {
         };
         let whole: Vec<Strand> = taking.iter().map(|taking| scene.strands[index(self, taking)].clone()).collect();
         let bodies = Self::bodies_at_end(scene, h);
-        while self.coupled.islands().iter().any(|island| island.is_subdivided) {
+        while self.coupled.islands().iter().any(Island::is_subdivided) {
             for taking in taking.iter().filter(|taking| self.is_subdivided(taking.strand)) {
                 scene.strands[index(self, taking)].clone_from(&taking.before);
             }
@@ -76,18 +78,21 @@ impl ConstrainedSubstep {
                 for (taking, whole) in taking.iter().zip(&whole) {
                     scene.strands[index(self, taking)].clone_from(whole);
                 }
-                self.coupled.parts().islands.iter_mut().for_each(|island| island.is_subdivided = false);
+                let subdivided = self.coupled.parts().islands.iter_mut().filter(|island| island.is_subdivided());
+                subdivided.for_each(|island| island.phase = Phase::Ended);
                 return Substeps::default();
             }
             // The substeps' own depths are not those at the end, and do not include the other strands.
             substeps.reported.penetration = 0.0;
             let (left, mut some_go_back) = (self.depths(scene, &bodies, |constrained| self.is_subdivided(constrained)), false);
             let islands = self.coupled.parts().islands.iter_mut().enumerate();
-            for (k, island) in islands.filter(|(_, island)| island.is_subdivided) {
+            for (k, island) in islands.filter(|(_, island)| island.is_subdivided()) {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + SLIGHTLY * scene.options.tolerance;
                 // (Strands that stayed as they were when the step began have no end to return to.)
-                island.is_subdivided = left[k] <= most || island.is_diverged();
-                some_go_back |= !island.is_subdivided;
+                if left[k] > most && !island.is_diverged() {
+                    island.phase = Phase::Ended;
+                    some_go_back = true;
+                }
                 substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
             }
             if !some_go_back {
@@ -159,7 +164,7 @@ impl ConstrainedSubstep {
 
     /// Whether a strand takes the substep in substeps, so that its end of the whole one is dropped.
     pub(super) fn is_subdivided(&self, constrained: usize) -> bool {
-        self.coupled.island_of(constrained).is_subdivided
+        self.coupled.island_of(constrained).is_subdivided()
     }
 
     fn subdivided(&self) -> impl Iterator<Item = usize> {
@@ -176,7 +181,7 @@ impl ConstrainedSubstep {
         }
         let (strands, islands) = (self.coupled.strands(), self.coupled.islands());
         let any = |island: &Island| island.strands.iter().any(|constrained| is_replaced(&strands[*constrained as usize]));
-        let asked: Vec<bool> = islands.iter().map(|island| !island.is_subdivided && any(island)).collect();
+        let asked: Vec<bool> = islands.iter().map(|island| !island.is_subdivided() && any(island)).collect();
         let depths =
             self.depths(scene, &Self::bodies_at_end(scene, h), |constrained| asked[strands[constrained].island as usize]);
         for (island, (depth, asked)) in self.coupled.parts().islands.iter_mut().zip(depths.into_iter().zip(asked)) {
