@@ -127,3 +127,34 @@ pub enum StrandEnd {
     /// It moves with its root instead.
     WithRoot,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Rest;
+
+    #[test]
+    fn a_strand_is_woken_twice_at_most() {
+        let mut rest = Rest::Active;
+        for wakes in 0..2 {
+            assert!(rest.may_rest() && !rest.is_resting(), "{wakes}: {rest:?}");
+            rest.settle();
+            assert!(rest.is_resting(), "{wakes}: {rest:?}");
+            rest.wake();
+        }
+        assert!(!rest.may_rest() && !rest.is_resting(), "{rest:?}");
+        // Its island is formed again.
+        rest.forget_wakes();
+        assert_eq!(rest, Rest::Active);
+    }
+
+    #[test]
+    fn a_strand_that_moves_for_another_reason_may_be_woken_as_often_as_before() {
+        let mut rest = Rest::Resting;
+        rest.stir();
+        assert_eq!(rest, Rest::Active);
+        rest = Rest::RestingAgain;
+        rest.stir();
+        assert_eq!(rest, Rest::Woken);
+        assert!(rest.may_rest());
+    }
+}
