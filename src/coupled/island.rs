@@ -258,7 +258,7 @@ impl Island {
         self.bilateral = Bilateral::None;
         for constraint in &mut self.constraints {
             let strand = &strands[constraint.first.strand as usize];
-            self.bilateral = self.bilateral.max(constraint.holds());
+            self.bilateral = self.bilateral.max(constraint.held());
             if strand.rest.is_resting() || strand.look_ahead != LookAhead::None || constraint.is_dormant() || constraint.in_crease
             {
                 continue;
@@ -379,8 +379,8 @@ impl Island {
 }
 
 impl StepConstraint {
-    /// What it holds as a bilateral constraint.
-    fn holds(&self) -> Bilateral {
+    /// What it holds if it is bilateral.
+    fn held(&self) -> Bilateral {
         match self.kind {
             ConstraintKind::Body { .. } | ConstraintKind::Hair { .. } => Bilateral::None,
             ConstraintKind::Pin { compliance: 0.0, .. } if self.give == Give::No => Bilateral::ToWorld,

@@ -30,7 +30,7 @@ struct Spent {
 
 /// Whether a strand takes part in the next iteration.
 fn goes_on(constrained: &ConstrainedStrand, island: &Island) -> bool {
-    !island.phase.has_ended() && island.turn.is_left() && constrained.formula != Formula::ToBeginAgain
+    !island.phase.has_ended() && island.turn.has_iterations_left() && constrained.formula != Formula::ToBeginAgain
 }
 
 impl CoupledStep {
@@ -52,7 +52,7 @@ impl CoupledStep {
             let members = strands.iter_mut().filter_map(|constrained| {
                 let (_, island) = next_island.take_if(|(k, _)| *k == constrained.island as usize)?;
                 next_island = next_islands.next();
-                island.turn.is_left().then_some((constrained, island))
+                island.turn.has_iterations_left().then_some((constrained, island))
             });
             let place = |(constrained, _): &Member| (constrained.pack, constrained.lane);
             with_work(self.packs.all(), &mut self.solitary_work, members, place, |work| {
@@ -71,7 +71,7 @@ impl CoupledStep {
             let islands = &self.islands[..self.island_count];
             let waits = |constrained: &ConstrainedStrand| {
                 let island = &islands[constrained.island as usize];
-                !island.phase.has_ended() && island.turn.is_left()
+                !island.phase.has_ended() && island.turn.has_iterations_left()
             };
             if !meter.is_halted() && !self.strands[..self.count].iter().any(waits) {
                 return;
@@ -89,7 +89,7 @@ fn iterate_pack<S: Scratch>(Work { pack, members }: &mut Work<Member>, stepping:
     let mut contact = 0.0;
     while !meter.is_halted() {
         for (constrained, island) in members.iter_mut().flatten() {
-            if !island.phase.has_ended() || island.progress.ending.stopped != Stopped::No || !island.turn.is_left() {
+            if !island.phase.has_ended() || island.progress.ending.stopped != Stopped::No || !island.turn.has_iterations_left() {
                 continue;
             }
             if let Some(kink) = island.kinks(&Solitary(constrained), options).first() {

@@ -120,11 +120,22 @@ pub struct HairPairs {
     left: Vec<bool>,
     found_roots: Vec<Root>,
     found_sagittas: Vec<f64>,
-    /// The start has not been placed yet; it is the one for which the candidates were found.
-    begun: bool,
-    found_this_step: bool,
     counts: PairCounts,
-    valid: bool,
+    validity: Validity,
+}
+
+/// For which steps the candidates hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Validity {
+    /// For none: there are none, or some are missing.
+    #[default]
+    None,
+    /// They were found in an earlier step. This one has begun, and its start has not been placed yet.
+    Before,
+    /// They were found in an earlier step, and the start of this one is in place.
+    Earlier,
+    /// They were found in this step, for its start too.
+    Present,
 }
 
 impl HairPairs {
@@ -140,7 +151,7 @@ impl HairPairs {
         }
         self.wisps.clear();
         self.wisps.extend_from_slice(wisps);
-        (self.activation, self.margin, self.valid) = (options.activation, options.margin, false);
+        (self.activation, self.margin, self.validity) = (options.activation, options.margin, Validity::None);
         // The ties were those of other strands.
         self.knots.set(&[], 0, |_| 0.0)
     }
@@ -158,7 +169,9 @@ impl HairPairs {
 
     /// A step begins: the next [`update`](Self::update) has another start. Within a step the starts of its paths are the same.
     pub fn begin_step(&mut self) {
-        (self.begun, self.found_this_step) = (true, false);
+        if self.validity != Validity::None {
+            self.validity = Validity::Before;
+        }
     }
 
     /// Updates the strands' positions, at every iterate, and searches if the candidates may be incomplete. True if it searched.
@@ -182,18 +195,20 @@ impl HairPairs {
             return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
         }
         self.counts.updates += 1;
-        if self.valid {
-            if self.begun {
+        if self.validity != Validity::None {
+            if self.validity == Validity::Before {
                 self.place_start(strands, workers);
+                self.validity = Validity::Earlier;
             }
             self.place(strands, workers);
-            self.valid = !self.now.outgrown;
-            if self.valid && self.are_within() {
+            if self.now.outgrown {
+                self.validity = Validity::None;
+            } else if self.are_within() {
                 return Ok(false);
             }
         }
         // Within a step the strands that have not moved too far keep their candidates.
-        if !(self.valid && self.found_this_step) {
+        if self.validity != Validity::Present {
             self.pieces.cut(&self.wisps, |strand| strands[strand].now);
             self.place_start(strands, workers);
             self.place(strands, workers);
@@ -209,7 +224,7 @@ impl HairPairs {
         if !whole {
             self.groups.clear();
         }
-        (self.valid, self.found_this_step) = (whole, whole);
+        self.validity = if whole { Validity::Present } else { Validity::None };
         Ok(true)
     }
 
@@ -217,7 +232,6 @@ impl HairPairs {
     fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
         self.pieces.place(&self.wisps, |strand| strands[strand].start, workers, &mut self.placing, &mut self.start);
         roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
-        self.begun = false;
     }
 
     /// Places everything at the present iterate.
@@ -239,8 +253,8 @@ impl HairPairs {
         left.clear();
         left.resize(self.wisps.len(), false);
         // The start is the one of the search, and was looked at then, or within the margin like everything else.
-        let whens: &[_] =
-            &[(&self.now.nodes, &self.roots[1]), (&self.start.nodes, &self.roots[0])][..if self.found_this_step { 1 } else { 2 }];
+        let moments = if self.validity == Validity::Present { 1 } else { 2 };
+        let whens: &[_] = &[(&self.now.nodes, &self.roots[1]), (&self.start.nodes, &self.roots[0])][..moments];
         for (nodes, roots) in whens {
             let moved = RigidMotion::shared(&self.found_roots, roots);
             for (index, piece) in self.pieces.pieces.iter().enumerate() {

@@ -58,7 +58,7 @@ impl Turn {
     }
 
     /// Whether it iterates apart from the others, and has iterations left.
-    pub fn is_left(self) -> bool {
+    pub fn has_iterations_left(self) -> bool {
         matches!(self, Self::Alone { iterations_left: 1.. })
     }
 

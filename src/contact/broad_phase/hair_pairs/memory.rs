@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{HairPairs, Root};
+use super::{HairPairs, Root, Validity};
 use crate::contact::broad_phase::pieces::{Piece, Wisp};
 
 /// The memory of a search whose pairs are still valid.
@@ -26,7 +26,7 @@ pub(crate) struct PairMemory {
 impl HairPairs {
     /// Its memory; `None` if the next update searches anyhow.
     pub(crate) fn memory(&self) -> Option<PairMemory> {
-        self.valid.then(|| PairMemory {
+        (self.validity != Validity::None).then(|| PairMemory {
             activation: self.activation,
             margin: self.margin,
             wisps: self.wisps.clone(),
@@ -51,14 +51,13 @@ impl HairPairs {
             candidates: memory.candidates,
             found_roots: memory.roots.into_iter().map(|(origin, frame)| Root { origin, frame }).collect(),
             found_sagittas: memory.sagittas,
-            valid: true,
+            validity: Validity::Before,
             ..Self::default()
         };
         self.pieces.pieces = memory.pieces;
         self.pieces.nodes = memory.nodes.len();
         self.found_at = memory.nodes;
         self.group();
-        self.begin_step();
         true
     }
 }
