@@ -217,8 +217,8 @@ impl ConstrainedSubstep {
         self.report_replaced(scene, h);
         self.report(scene, h, &mut account);
         if let (None, Some(begins), Some(iterates), Some(ends)) = (&substeps, begins, iterates, ends) {
-            let (begin, end) = ((iterates - begins).as_secs_f64(), ends.elapsed().as_secs_f64());
-            self.overhead = Overhead { begin, end };
+            let begin = begins.elapsed().saturating_sub(iterates.elapsed()).as_secs_f64();
+            self.overhead = Overhead { begin, end: ends.elapsed().as_secs_f64() };
         }
         if let Some(substeps) = substeps {
             self.add_substeps(&substeps, account);
