@@ -46,12 +46,10 @@ impl CoupledStep {
             distribute_work(islands, |island| !island.phase.has_ended(), meter.left());
             let spent = std::sync::Mutex::new(Spent::default());
             let begins = Instant::now();
-            let mut next_islands = islands.iter_mut().enumerate();
+            let mut next_islands = islands.iter_mut().enumerate().peekable();
             // Islands are in the order of their first strands.
-            let mut next_island = next_islands.next();
             let members = strands.iter_mut().filter_map(|constrained| {
-                let (_, island) = next_island.take_if(|(k, _)| *k == constrained.island as usize)?;
-                next_island = next_islands.next();
+                let (_, island) = next_islands.next_if(|(k, _)| *k == constrained.island as usize)?;
                 island.turn.has_iterations_left().then_some((constrained, island))
             });
             let place = |(constrained, _): &Member| (constrained.pack, constrained.lane);

@@ -176,9 +176,9 @@ impl Island {
             return Next::Stays;
         }
         let beyond = self.is_beyond_measure(strands, step);
+        let diverged = self.diverged_strands(strands, beyond, step);
         let may_yield = matches!(self.progress.ending.attempt, Attempt::Whole | Attempt::Yielding);
-        let forgives =
-            may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(strands, beyond, step);
+        let forgives = may_yield && !options.model.is_soft() && !self.has_bilateral() && self.let_some_yield(&diverged);
         if forgives && self.progress.ending.attempt == Attempt::Whole && !beyond {
             // The normals of bodies stay as they are.
             (self.progress.iterations, self.progress.ending.attempt) = (LOOKS, Attempt::Yielding);
@@ -187,7 +187,7 @@ impl Island {
             return Next::GoesOn;
         }
         if !forgives {
-            self.relax(strands, options, beyond, step);
+            self.relax(diverged, options);
             self.progress.relaxings = if options.model.is_soft() { RELAXINGS } else { self.progress.relaxings + 1 };
         }
         self.progress.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
@@ -201,9 +201,8 @@ impl Island {
         Next::BeginsAgain
     }
 
-    /// Lets the contacts of diverged strands yield. False if none is new. `beyond`: see [`Island::is_beyond_measure`].
-    fn let_some_yield(&mut self, strands: &(impl Strands + ?Sized), beyond: bool, step: f64) -> bool {
-        let diverged = self.diverged_strands(strands, beyond, step);
+    /// Lets the contacts of `diverged` strands (ascending) yield. False if none is new.
+    fn let_some_yield(&mut self, diverged: &[u32]) -> bool {
         let mut some = false;
         for constraint in &mut self.constraints {
             if constraint.give == Give::No && constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok()) {
@@ -214,9 +213,8 @@ impl Island {
         some
     }
 
-    /// Relaxes all constraints of diverged strands; from the second time on, those of their neighbours too.
-    fn relax(&mut self, strands: &(impl Strands + ?Sized), options: &ContactOptions, beyond: bool, step: f64) {
-        let mut diverged = self.diverged_strands(strands, beyond, step);
+    /// Relaxes all constraints of `diverged` strands (ascending); from the second time on, those of their neighbours too.
+    fn relax(&mut self, mut diverged: Vec<u32>, options: &ContactOptions) {
         if self.progress.relaxings > 0 {
             let meets = |constraint: &&StepConstraint| constraint.ends().any(|end| diverged.binary_search(&end.strand).is_ok());
             let mut all: Vec<u32> =
@@ -234,7 +232,7 @@ impl Island {
     }
 
     /// The diverged strands, ascending: those with forces beyond measure where there are any, else those too far from
-    /// convergence or with constraints that are.
+    /// convergence or with constraints that are. `beyond`: see [`Island::is_beyond_measure`].
     fn diverged_strands(&self, strands: &(impl Strands + ?Sized), beyond: bool, step: f64) -> Vec<u32> {
         let far = |strand: &&u32| {
             let residual = strands[**strand as usize].residual;
