@@ -37,6 +37,11 @@ impl StrandCurve<'_> {
         self.origin + Vector3::from(self.elements[element].point(s).position)
     }
 
+    /// Position of the left end of an element, world, m.
+    pub fn left_end(&self, element: usize) -> Vector3<f64> {
+        self.origin + Vector3::from(self.elements[element].origin_left)
+    }
+
     /// Tangent there, unit, from root to tip.
     pub fn tangent(&self, element: usize, s: f64) -> Vector3<f64> {
         let element = &self.elements[element];

@@ -79,6 +79,7 @@ pub fn element_state<T: Lane>(kappa: Vec3<T>, length: T, frame_left: Mat3<T>, or
 }
 
 /// The elements of a strand, each starting where the one before ends; the first has its left end at the origin, with this frame.
+#[inline(always)]
 pub fn element_states<T: Lane>(
     frame: Mat3<T>,
     lengths: impl IntoIterator<Item = T>,

@@ -30,6 +30,54 @@ pub struct Grid {
     cells: Vec<[[u32; 3]; 2]>,
 }
 
+/// Boxes of a bucket that are held against one at a time.
+const SIDE_BY_SIDE: usize = 16;
+
+/// The boxes of a bucket's entries side by side, in single precision: to round keeps the order of two numbers, so that boxes that meet
+/// still do.
+#[derive(Debug, Default)]
+struct Bucket {
+    count: usize,
+    groups: Vec<[[[f32; SIDE_BY_SIDE]; 3]; 2]>,
+}
+
+impl Bucket {
+    fn fill(&mut self, entries: &[Entry], boxes: &[Bounds]) {
+        self.count = entries.len();
+        self.groups.clear();
+        for entries in entries.chunks(SIDE_BY_SIDE) {
+            // What is left over is above everything.
+            let mut group = [[[f32::INFINITY; SIDE_BY_SIDE]; 3]; 2];
+            for (k, entry) in entries.iter().enumerate() {
+                let Bounds { low, high } = &boxes[entry.item as usize];
+                for axis in 0..3 {
+                    (group[0][axis][k], group[1][axis][k]) = (low[axis] as f32, high[axis] as f32);
+                }
+            }
+            self.groups.push(group);
+        }
+    }
+
+    /// The boxes of a group that may meet the box of an earlier entry, one bit each.
+    #[inline(always)]
+    fn may_meet(&self, entry: usize, group: usize) -> u32 {
+        let [own_lows, own_highs] = &self.groups[entry / SIDE_BY_SIDE];
+        let [lows, highs] = &self.groups[group];
+        let mut meets = [true; SIDE_BY_SIDE];
+        for axis in 0..3 {
+            let (low, high) = (own_lows[axis][entry % SIDE_BY_SIDE], own_highs[axis][entry % SIDE_BY_SIDE]);
+            for k in 0..SIDE_BY_SIDE {
+                meets[k] &= (low <= highs[axis][k]) & (lows[axis][k] <= high);
+            }
+        }
+        let bits = meets.iter().enumerate().fold(0, |bits, (k, meets)| bits | u32::from(*meets) << k);
+        // (Where numbers are beyond single precision, what is left over is not.)
+        let filled = (self.count - group * SIDE_BY_SIDE).min(SIDE_BY_SIDE);
+        let later = if group == entry / SIDE_BY_SIDE { u32::MAX << (entry % SIDE_BY_SIDE + 1) } else { u32::MAX };
+        bits & later & ((1 << filled) - 1)
+    }
+}
+
 fn pack(cell: [u32; 3]) -> u64 {
     (u64::from(cell[0]) << 42) | (u64::from(cell[1]) << 21) | u64::from(cell[2])
 }
@@ -94,19 +142,31 @@ impl Grid {
         asked: impl Fn(usize) -> bool,
         mut found: impl FnMut(u32, u32),
     ) {
+        let mut bucket = Bucket::default();
         for index in buckets {
             let from = self.starts[index + 1] as usize;
             let to = self.starts.get(index + 2).map_or(self.entries.len(), |next| *next as usize);
-            for (i, first) in self.entries[from..to].iter().enumerate() {
-                let a = &boxes[first.item as usize];
+            let entries = &self.entries[from..to];
+            if entries.len() < 2 {
+                continue;
+            }
+            bucket.fill(entries, boxes);
+            for (i, first) in entries.iter().enumerate() {
                 let first_asked = asked(first.item as usize);
-                for second in &self.entries[from + i + 1..to] {
-                    let b = &boxes[second.item as usize];
-                    if first.cell == second.cell && (first_asked || asked(second.item as usize)) && a.meets(b) {
-                        let (of_a, of_b) = (self.cells[first.item as usize][0], self.cells[second.item as usize][0]);
-                        let common = [of_a[0].max(of_b[0]), of_a[1].max(of_b[1]), of_a[2].max(of_b[2])];
-                        if pack(common) == first.cell {
-                            found(first.item.min(second.item), first.item.max(second.item));
+                for group in i / SIDE_BY_SIDE..bucket.groups.len() {
+                    let mut meeting = bucket.may_meet(i, group);
+                    while meeting != 0 {
+                        let second = &entries[group * SIDE_BY_SIDE + meeting.trailing_zeros() as usize];
+                        meeting &= meeting - 1;
+                        if first.cell == second.cell
+                            && (first_asked || asked(second.item as usize))
+                            && boxes[first.item as usize].meets(&boxes[second.item as usize])
+                        {
+                            let (of_a, of_b) = (self.cells[first.item as usize][0], self.cells[second.item as usize][0]);
+                            let common = [of_a[0].max(of_b[0]), of_a[1].max(of_b[1]), of_a[2].max(of_b[2])];
+                            if pack(common) == first.cell {
+                                found(first.item.min(second.item), first.item.max(second.item));
+                            }
                         }
                     }
                 }

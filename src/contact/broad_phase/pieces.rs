@@ -199,7 +199,8 @@ impl PlacedPieces {
             let length = pieces[pieces.len() - 1].s[1] - pieces[0].s[0];
             self.outgrown |= pieces_of(bend, length, wisps[strand].radius) > 2 * pieces.len();
             for piece in pieces {
-                self.nodes.push(curve.position(element, piece.s[0]));
+                let at_left_end = piece.s[0] == 0.0;
+                self.nodes.push(if at_left_end { curve.left_end(element) } else { curve.position(element, piece.s[0]) });
                 if !piece.continued[1] {
                     self.nodes.push(curve.position(element, piece.s[1]));
                 }
