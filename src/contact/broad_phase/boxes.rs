@@ -37,13 +37,21 @@ const SIDE_BY_SIDE: usize = 16;
 /// still do.
 #[derive(Debug, Default)]
 struct Bucket {
-    count: usize,
     groups: Vec<[[[f32; SIDE_BY_SIDE]; 3]; 2]>,
+    /// Which of them there are, and which are asked, one bit each.
+    present: Vec<u32>,
+    asked: Vec<u32>,
 }
 
 impl Bucket {
-    fn fill(&mut self, entries: &[Entry], boxes: &[Bounds]) {
-        self.count = entries.len();
+    /// Takes the boxes of these entries. False if none is asked.
+    fn fill(&mut self, entries: &[Entry], boxes: &[Bounds], asked: &impl Fn(usize) -> bool) -> bool {
+        (self.present.clear(), self.asked.clear());
+        let bit = |(k, entry): (usize, &Entry)| u32::from(asked(entry.item as usize)) << k;
+        self.asked.extend(entries.chunks(SIDE_BY_SIDE).map(|entries| entries.iter().enumerate().map(bit).sum::<u32>()));
+        if self.asked.iter().all(|asked| *asked == 0) {
+            return false;
+        }
         self.groups.clear();
         for entries in entries.chunks(SIDE_BY_SIDE) {
             // What is left over is above everything.
@@ -55,12 +63,24 @@ impl Bucket {
                 }
             }
             self.groups.push(group);
+            self.present.push((1 << entries.len()) - 1);
         }
+        true
     }
 
-    /// The boxes of a group that may meet the box of an earlier entry, one bit each.
+    fn is_asked(&self, entry: usize) -> bool {
+        self.asked[entry / SIDE_BY_SIDE] >> (entry % SIDE_BY_SIDE) & 1 == 1
+    }
+
+    /// The later boxes of a group that may meet an entry's box and are asked, or all if the entry is: one bit each.
     #[inline(always)]
     fn may_meet(&self, entry: usize, group: usize) -> u32 {
+        // (Where numbers are beyond single precision, what is left over is not above them.)
+        let later = if group == entry / SIDE_BY_SIDE { u32::MAX << (entry % SIDE_BY_SIDE + 1) } else { u32::MAX };
+        let counts = later & if self.is_asked(entry) { self.present[group] } else { self.asked[group] };
+        if counts == 0 {
+            return 0;
+        }
         let [own_lows, own_highs] = &self.groups[entry / SIDE_BY_SIDE];
         let [lows, highs] = &self.groups[group];
         let mut meets = [true; SIDE_BY_SIDE];
@@ -71,10 +91,7 @@ impl Bucket {
             }
         }
         let bits = meets.iter().enumerate().fold(0, |bits, (k, meets)| bits | u32::from(*meets) << k);
-        // (Where numbers are beyond single precision, what is left over is not.)
-        let filled = (self.count - group * SIDE_BY_SIDE).min(SIDE_BY_SIDE);
-        let later = if group == entry / SIDE_BY_SIDE { u32::MAX << (entry % SIDE_BY_SIDE + 1) } else { u32::MAX };
-        bits & later & ((1 << filled) - 1)
+        bits & counts
     }
 }
 
@@ -147,21 +164,16 @@ impl Grid {
             let from = self.starts[index + 1] as usize;
             let to = self.starts.get(index + 2).map_or(self.entries.len(), |next| *next as usize);
             let entries = &self.entries[from..to];
-            if entries.len() < 2 {
+            if entries.len() < 2 || !bucket.fill(entries, boxes, &asked) {
                 continue;
             }
-            bucket.fill(entries, boxes);
             for (i, first) in entries.iter().enumerate() {
-                let first_asked = asked(first.item as usize);
                 for group in i / SIDE_BY_SIDE..bucket.groups.len() {
                     let mut meeting = bucket.may_meet(i, group);
                     while meeting != 0 {
                         let second = &entries[group * SIDE_BY_SIDE + meeting.trailing_zeros() as usize];
                         meeting &= meeting - 1;
-                        if first.cell == second.cell
-                            && (first_asked || asked(second.item as usize))
-                            && boxes[first.item as usize].meets(&boxes[second.item as usize])
-                        {
+                        if first.cell == second.cell && boxes[first.item as usize].meets(&boxes[second.item as usize]) {
                             let (of_a, of_b) = (self.cells[first.item as usize][0], self.cells[second.item as usize][0]);
                             let common = [of_a[0].max(of_b[0]), of_a[1].max(of_b[1]), of_a[2].max(of_b[2])];
                             if pack(common) == first.cell {
