@@ -47,7 +47,7 @@ const DEEPEST: f64 = 0.1;
 const UNSEEN: f64 = 0.1;
 /// A solve leaves no larger spurious force than this many times its residual in units of the strand's weight.
 const LEFT_OVER: f64 = 2.0;
-/// Cost of the search of an element near bodies, and of a pair of pieces of strands, nanoseconds or so.
+/// Cost of the search of an element near bodies, and of a pair of chords of strands, nanoseconds or so.
 const WORK_AN_ELEMENT: u64 = 1000;
 const WORK_A_CANDIDATE: u64 = 1000;
 

@@ -51,7 +51,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{FNV_START, Reader, Writer, bad, fnv1a, of_part};
 
 /// Changes whenever an image of an older version can no longer be read.
-pub const SNAPSHOT_VERSION: u32 = 10;
+pub const SNAPSHOT_VERSION: u32 = 11;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 

@@ -255,6 +255,40 @@ fn every_local_minimum_between_sampled_strands_is_an_exact_contact() {
     assert!(touching >= 200 && minima >= 240);
 }
 
+/// Strands beside each other whose elements are bowed by more than they are apart: each meets its neighbours only, found by chords of the
+/// elements, and goes on meeting them when the bows turn, whose ends stay where they were.
+#[test]
+fn bowed_strands_beside_each_other_are_held_against_their_neighbours_only() {
+    let (count, spacing, length) = (24, 1.5e-3, 0.06);
+    // 0.48 rad of an element are one piece, 3.6 mm off its chord.
+    let bowed = |k: usize, turn: f64| Strand {
+        origin: Vector3::new(0.0, 0.0, spacing * k as f64),
+        root: Rotation3::from_axis_angle(&Vector3::x_axis(), turn),
+        lengths: vec![length; 3],
+        curvatures: vec![[0.0, 8.0, 0.0], [0.0, -8.0, 0.0], [0.0, 8.0, 0.0]],
+    };
+    let all = |turn: &dyn Fn(usize) -> f64| (0..count).map(|k| bowed(k, turn(k))).collect::<Vec<_>>();
+    let pairs_of = |radius: f64| {
+        let mut pairs = HairPairs::default();
+        pairs.set(&wisps(count, radius), &options(0.1 * radius, 0.1 * radius)).unwrap();
+        pairs
+    };
+    let still = all(&|_| 0.0);
+    let mut pairs = pairs_of(0.8e-3);
+    let (_, contacts) = contacts_between(&mut pairs, &still, &still);
+    assert!(contacts.len() >= 2 * (count - 1), "{} contacts", contacts.len());
+    assert!(pairs.groups().iter().all(|group| group.b == group.a + 1), "{:?}", pairs.groups());
+    assert_eq!(pairs.groups().len(), count - 1);
+    // The ends of every third strand's first element stay, and its bow goes from one side to the other, through its neighbours.
+    let turned = all(&|k| if k % 3 == 1 { 3.0 } else { 0.0 });
+    let (searched, contacts) = contacts_at_iterate(&mut pairs, &still, &turned);
+    assert!(searched, "its bow has gone further than its candidates allow");
+    let mut fresh = pairs_of(0.8e-3);
+    let (_, expected) = contacts_between(&mut fresh, &still, &turned);
+    assert_same(&turned, &contacts, &expected, 0);
+    assert!(contacts.len() > count);
+}
+
 #[test]
 fn contacts_do_not_depend_on_which_strand_is_first() {
     let mut random = Random(2);

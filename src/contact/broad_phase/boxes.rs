@@ -28,6 +28,7 @@ pub struct Grid {
     starts: Vec<u32>,
     entries: Vec<Entry>,
     cells: Vec<[[u32; 3]; 2]>,
+    bucket: Bucket,
 }
 
 /// Boxes of a bucket that are held against one at a time.
@@ -36,7 +37,7 @@ const SIDE_BY_SIDE: usize = 16;
 /// The boxes of a bucket's entries side by side, in single precision: to round keeps the order of two numbers, so that boxes that meet
 /// still do.
 #[derive(Debug, Default)]
-struct Bucket {
+pub struct Bucket {
     groups: Vec<[[[f32; SIDE_BY_SIDE]; 3]; 2]>,
     /// Which of them there are, and which are asked, one bit each.
     present: Vec<u32>,
@@ -46,7 +47,8 @@ struct Bucket {
 impl Bucket {
     /// Takes the boxes of these entries. False if none is asked.
     fn fill(&mut self, entries: &[Entry], boxes: &[Bounds], asked: &impl Fn(usize) -> bool) -> bool {
-        (self.present.clear(), self.asked.clear());
+        self.present.clear();
+        self.asked.clear();
         let bit = |(k, entry): (usize, &Entry)| u32::from(asked(entry.item as usize)) << k;
         self.asked.extend(entries.chunks(SIDE_BY_SIDE).map(|entries| entries.iter().enumerate().map(bit).sum::<u32>()));
         if self.asked.iter().all(|asked| *asked == 0) {
@@ -104,7 +106,9 @@ impl Grid {
     /// Boxes that are not finite meet nothing.
     pub fn pairs(&mut self, boxes: &[Bounds], asked: impl Fn(usize) -> bool, found: impl FnMut(u32, u32)) {
         let buckets = self.fill(boxes);
-        self.pairs_in(0..buckets, boxes, asked, found);
+        let mut bucket = std::mem::take(&mut self.bucket);
+        self.pairs_in(0..buckets, boxes, &mut bucket, asked, found);
+        self.bucket = bucket;
     }
 
     /// Sorts the boxes into cells and these into buckets, and returns the number of buckets.
@@ -151,15 +155,15 @@ impl Grid {
     }
 
     /// The pairs of [`Grid::pairs`] in some of the buckets of the last [`Grid::fill`]: any number of threads may ask for
-    /// theirs.
+    /// theirs, each with a `bucket` for memory.
     pub fn pairs_in(
         &self,
         buckets: Range<usize>,
         boxes: &[Bounds],
+        bucket: &mut Bucket,
         asked: impl Fn(usize) -> bool,
         mut found: impl FnMut(u32, u32),
     ) {
-        let mut bucket = Bucket::default();
         for index in buckets {
             let from = self.starts[index + 1] as usize;
             let to = self.starts.get(index + 2).map_or(self.entries.len(), |next| *next as usize);

@@ -7,11 +7,13 @@
 //! Files:
 //!
 //! - `contacts.rs`: The contacts of a pair of strands, from the candidates of the last search.
+//! - `groups.rs`: The candidates of two strands.
 //! - `knots.rs`: Knots: where ties hold strands together their wisps give way to each other.
 //! - `memory.rs`: What the search for pairs keeps from step to step, saved and restored for snapshots.
 //! - `shared_motion.rs`: The motion that all strands share: that of their roots.
 
 mod contacts;
+mod groups;
 mod knots;
 mod memory;
 mod shared_motion;
@@ -20,12 +22,13 @@ use std::ops::Range;
 
 use nalgebra::{Matrix3, Vector3};
 
+pub use groups::Group;
 use knots::Knots;
 pub use knots::Tie;
 pub(crate) use memory::PairMemory;
 use shared_motion::{RigidMotion, Root, roots_of};
 
-use super::boxes::Grid;
+use super::boxes::{Bucket, Grid};
 use super::pieces::{Pieces, PlacedPieces, Wisp};
 use crate::contact::contact_point::StrandPath;
 use crate::contact::narrow_phase::segment_distance::closest_of_segments;
@@ -54,34 +57,17 @@ pub struct PairCounts {
     pub searches: u64,
     /// Pieces of all strands.
     pub pieces: usize,
-    /// Pairs of pieces that may be in contact.
+    /// Pairs of pieces' chords that may be in contact.
     pub candidates: usize,
-    /// Pairs of strands with such pieces.
+    /// Pairs of strands with such chords.
     pub groups: usize,
-}
-
-/// The candidates of two strands, a range of all candidates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Group {
-    /// Index of the first strand.
-    pub a: u32,
-    /// Index of the second; not less than the first.
-    pub b: u32,
-    from: u32,
-    to: u32,
-}
-
-impl Group {
-    /// The number of pairs of pieces.
-    pub fn candidates(&self) -> u32 {
-        self.to - self.from
-    }
 }
 
 /// Some buckets of the grid, and the candidates found in them.
 #[derive(Debug, Default)]
 struct SearchPart {
     buckets: Range<usize>,
+    bucket: Bucket,
     found: Vec<u128>,
 }
 
@@ -98,6 +84,7 @@ pub struct HairPairs {
     knots: Knots,
     grid: Grid,
     boxes: Vec<Bounds>,
+    /// Pairs of chords, by strands, pieces, and chords.
     candidates: Vec<(u32, u32)>,
     /// The results of the present search, task by task.
     parts: Vec<SearchPart>,
@@ -237,8 +224,11 @@ impl HairPairs {
     /// Places everything at the present iterate.
     fn place<S: Default + Send>(&mut self, strands: &[StrandPath], workers: &WorkerSet<S>) {
         self.pieces.place(&self.wisps, |strand| strands[strand].now, workers, &mut self.placing, &mut self.now);
-        for (now, then) in self.now.sagittas.iter_mut().zip(&self.start.sagittas) {
-            *now = now.max(*then);
+        let Self { start, now, .. } = self;
+        for (now, then) in [(&mut now.sagittas, &start.sagittas), (&mut now.bows, &start.bows)] {
+            for (now, then) in now.iter_mut().zip(then) {
+                *now = now.max(*then);
+            }
         }
         roots_of(strands, &self.wisps, |strand| strand.now, &mut self.roots[1]);
         let shared = RigidMotion::shared(&self.roots[0], &self.roots[1]);
@@ -258,9 +248,9 @@ impl HairPairs {
         for (nodes, roots) in whens {
             let moved = RigidMotion::shared(&self.found_roots, roots);
             for (index, piece) in self.pieces.pieces.iter().enumerate() {
-                let node = piece.node as usize;
                 let off = |node: usize| (nodes[node] - moved.of(&found_at[node])).norm();
-                let within = off(node).max(off(node + 1)) + self.now.sagittas[index] <= *margin + found_sagittas[index];
+                let room = *margin + found_sagittas[index] - self.now.sagittas[index];
+                let within = (piece.node as usize..=piece.last_node()).all(|node| off(node) <= room);
                 left[piece.strand as usize] |= !within;
             }
         }
@@ -272,38 +262,34 @@ impl HairPairs {
         let Self {
             wisps, pieces, boxes, candidates, grid, parts, found, merged, carried, left, found_at, found_sagittas, ..
         } = self;
-        let pieces = &pieces.pieces;
-        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
-            let node = piece.node as usize;
-            found_at[node..node + 2].copy_from_slice(&self.now.nodes[node..node + 2]);
+        for (index, piece) in pieces.pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
+            let nodes = piece.node as usize..=piece.last_node();
+            found_at[nodes.clone()].copy_from_slice(&self.now.nodes[nodes]);
             found_sagittas[index] = self.now.sagittas[index];
         }
-        let (now, sagittas) = (&*found_at, &*found_sagittas);
+        let (now, sagittas, pieces) = (&*found_at, &*found_sagittas, &*pieces);
+        let sagitta = |chord: usize| sagittas[pieces.chords[chord].piece as usize];
         boxes.clear();
-        boxes.extend(pieces.iter().zip(sagittas).map(|(piece, sagitta)| {
-            let node = piece.node as usize;
-            let room = wisps[piece.strand as usize].radius + self.margin + sagitta + 0.5 * self.activation;
+        boxes.extend(pieces.chords.iter().enumerate().map(|(index, chord)| {
+            let node = chord.node as usize;
+            let room = wisps[pieces.strand_of(index)].radius + self.margin + sagitta(index) + 0.5 * self.activation;
             let (mut low, mut high) = (now[node].inf(&now[node + 1]), now[node].sup(&now[node + 1]));
             for from in &carried[node..node + 2] {
                 (low, high) = (low.inf(from), high.sup(from));
             }
             Bounds { low: low - Vector3::repeat(room), high: high + Vector3::repeat(room) }
         }));
-        let has_left = |index: usize| left[pieces[index].strand as usize];
+        let has_left = |index: usize| left[pieces.strand_of(index)];
         candidates.retain(|(i, j)| !has_left(*i as usize) && !has_left(*j as usize));
-        // By first strand, second strand, first piece, second piece.
-        let order = |(i, j): &(u32, u32)| {
-            let strand = |index: u32| u128::from(pieces[index as usize].strand);
-            strand(*i) << 96 | strand(*j) << 64 | u128::from(*i) << 32 | u128::from(*j)
-        };
-        let pair = |order: u128| ((order >> 32) as u32, order as u32);
+        let order = |(i, j): &(u32, u32)| pieces.order_of(*i, *j);
+        let pair = |order: u128| pieces.pair_of(order);
         found.clear();
         let ends = |index: usize| {
-            let node = pieces[index].node as usize;
+            let node = pieces.chords[index].node as usize;
             [now[node], now[node + 1]]
         };
         let moved = |index: usize| {
-            let node = pieces[index].node as usize;
+            let node = pieces.chords[index].node as usize;
             [now[node] - carried[node], now[node + 1] - carried[node + 1]]
         };
         let buckets = grid.fill(boxes);
@@ -315,13 +301,13 @@ impl HairPairs {
         }
         let (grid, boxes) = (&*grid, &*boxes);
         workers.for_each_task(parts, 1, 1, |parts, _| {
-            for SearchPart { buckets, found } in parts {
+            for SearchPart { buckets, bucket, found } in parts {
                 if meter.is_halted() {
                     continue;
                 }
-                grid.pairs_in(buckets.clone(), boxes, has_left, |i, j| {
+                grid.pairs_in(buckets.clone(), boxes, bucket, has_left, |i, j| {
                     let (a, b) = (i as usize, j as usize);
-                    let (first, second) = (&pieces[a], &pieces[b]);
+                    let [first, second] = [a, b].map(|chord| &pieces.pieces[pieces.chords[chord].piece as usize]);
                     let (wisp, other) = (&wisps[first.strand as usize], &wisps[second.strand as usize]);
                     let may = if first.strand == second.strand {
                         wisp.meets_itself && second.element > first.element + 1
@@ -329,7 +315,7 @@ impl HairPairs {
                         wisp.meets(other)
                     };
                     if may {
-                        let room = wisp.radius + other.radius + sagittas[a] + sagittas[b] + activation + 2.0 * margin;
+                        let room = wisp.radius + other.radius + sagitta(a) + sagitta(b) + activation + 2.0 * margin;
                         let (at_a, at_b) = (ends(a), ends(b));
                         let distance = closest_of_segments([&at_a[0], &at_a[1]], [&at_b[0], &at_b[1]]).distance;
                         if distance <= room + relative_motion(moved(a), moved(b)) {
@@ -361,21 +347,6 @@ impl HairPairs {
         self.found_roots.clone_from(&self.roots[1]);
         self.counts.searches += 1;
         self.group();
-    }
-
-    /// Groups the candidates by their strands.
-    fn group(&mut self) {
-        let Self { pieces, candidates, groups, counts, .. } = self;
-        let pieces = &pieces.pieces;
-        groups.clear();
-        for (index, (i, j)) in candidates.iter().enumerate() {
-            let (a, b) = (pieces[*i as usize].strand, pieces[*j as usize].strand);
-            match groups.last_mut() {
-                Some(group) if (group.a, group.b) == (a, b) => group.to = index as u32 + 1,
-                _ => groups.push(Group { a, b, from: index as u32, to: index as u32 + 1 }),
-            }
-        }
-        (counts.pieces, counts.candidates, counts.groups) = (pieces.len(), candidates.len(), groups.len());
     }
 
     /// Gaps up to this are contacts, m.

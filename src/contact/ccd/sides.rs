@@ -117,7 +117,7 @@ mod tests {
     }
 
     fn keep(a: &Curve, b: &Curve) -> bool {
-        let piece = Piece { strand: 0, element: 0, s: [0.0, 1.0], along: 0.0, node: 0, continued: [true; 2] };
+        let piece = Piece { strand: 0, element: 0, s: [0.0, 1.0], along: 0.0, node: 0, chords: 1, continued: [true; 2] };
         let moving = |curve: &Curve| MovingPiece { piece: &piece, start: curve.start, now: curve.now, sagitta: curve.sagitta() };
         let apart = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2]| {
             let near = closest_of_segments([&a[0], &a[1]], [&b[0], &b[1]]);

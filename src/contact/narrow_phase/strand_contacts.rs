@@ -76,6 +76,34 @@ impl Found {
     }
 }
 
+/// What chords say of two pieces, or parts of them; it is never too little.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Encounter {
+    /// They may touch.
+    touch: bool,
+    /// They may have gone through each other.
+    crossing: bool,
+}
+
+impl Encounter {
+    /// What it comes to if one of these is possible.
+    pub fn of_any(all: impl Iterator<Item = Encounter>) -> Self {
+        let mut any = Self::default();
+        for one in all {
+            any = Self { touch: any.touch || one.touch, crossing: any.crossing || one.crossing };
+            if any.touch && any.crossing {
+                break;
+            }
+        }
+        any
+    }
+
+    /// Whether there may be any contact.
+    pub fn is_possible(self) -> bool {
+        self.touch || self.crossing
+    }
+}
+
 /// Memory of one thread's search for contacts.
 #[derive(Debug, Default)]
 pub struct PairScratch {
@@ -105,16 +133,16 @@ impl TwoStrands<'_> {
     }
 
     /// Appends the contacts of the strands to `out`, by arclength of the first (and then of the partner). `candidates` are the
-    /// pairs of pieces that may be in contact, in any order that does not change from call to call.
+    /// pairs of pieces that may be in contact, and how, in any order that does not change from call to call.
     pub fn contacts<'p>(
         &self,
-        candidates: impl Iterator<Item = (MovingPiece<'p>, MovingPiece<'p>)>,
+        candidates: impl Iterator<Item = (MovingPiece<'p>, MovingPiece<'p>, Encounter)>,
         scratch: &mut PairScratch,
         out: &mut Vec<ContactPoint>,
     ) {
         scratch.found.clear();
-        for (a, b) in candidates {
-            self.of_pieces(&a, &b, &mut scratch.found);
+        for (a, b, may) in candidates {
+            self.of_pieces(&a, &b, may, &mut scratch.found);
         }
         self.keep_sides_beside(&mut scratch.found);
         let order = |x: &Found, y: &Found| x.along[0].total_cmp(&y.along[0]).then(x.along[1].total_cmp(&y.along[1]));
@@ -123,18 +151,23 @@ impl TwoStrands<'_> {
         out.extend(scratch.found.iter().map(Found::contact));
     }
 
-    fn of_pieces(&self, a: &MovingPiece, b: &MovingPiece, found: &mut Vec<Found>) {
+    /// What pieces, or the parts of pieces that chords span, may do.
+    pub fn may_meet(&self, a: &MovingPiece, b: &MovingPiece) -> Encounter {
+        let chords = closest_of_segments([&a.now[0], &a.now[1]], [&b.now[0], &b.now[1]]);
+        let least = chords.distance - a.sagitta - b.sagitta;
+        let touch = least <= self.radii() + self.within;
+        let inside = CROSSED * self.radii();
+        let crossing = least <= relative_motion(a.moved(), b.moved()) + inside
+            && !keep_sides(a, b, offsets(a, b, [chords.t, chords.u]), inside);
+        Encounter { touch, crossing }
+    }
+
+    fn of_pieces(&self, a: &MovingPiece, b: &MovingPiece, may: Encounter, found: &mut Vec<Found>) {
         let radii = self.radii();
         let sagittas = a.sagitta + b.sagitta;
         let chords = closest_of_segments([&a.now[0], &a.now[1]], [&b.now[0], &b.now[1]]);
         let motion = relative_motion(a.moved(), b.moved());
         let inside = CROSSED * radii;
-        let may_touch = chords.distance - sagittas <= radii + self.within;
-        let may_have_crossed =
-            chords.distance - sagittas <= motion + inside && !keep_sides(a, b, offsets(a, b, [chords.t, chords.u]), inside);
-        if !may_touch && !may_have_crossed {
-            return;
-        }
         let arc_a = Arc { curve: self.a.now, element: a.piece.element as usize, s: a.piece.s };
         let arc_b = Arc { curve: self.b.now, element: b.piece.element as usize, s: b.piece.s };
         let mut near = closest(&arc_a, &arc_b, along_pieces([chords.t, chords.u], a, b), [false; 2]);
@@ -150,7 +183,7 @@ impl TwoStrands<'_> {
                 second = Some(std::mem::replace(&mut near, other));
             }
         }
-        let side = if may_have_crossed { self.side_kept(a, b, &near, motion) } else { None };
+        let side = if may.crossing { self.side_kept(a, b, &near, motion) } else { None };
         let close = |pair: &PointPair| pair.apart.norm() - radii <= self.within;
         if !close(&near) && side.is_none() {
             return;

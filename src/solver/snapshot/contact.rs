@@ -134,6 +134,7 @@ impl Writer {
             self.f64(piece.s[1]);
             self.f64(piece.along);
             self.u32(piece.node);
+            self.u32(piece.chords);
             self.flag(piece.continued[0]);
             self.flag(piece.continued[1]);
             self.f64(*sagitta);
@@ -248,19 +249,20 @@ impl Reader<'_> {
             }
             memory.roots.push((origin, frame));
         }
-        for _ in 0..self.count(5 * 4 + 4 * 8)? {
+        for _ in 0..self.count(6 * 4 + 4 * 8)? {
             memory.pieces.push(Piece {
                 strand: self.u32()?,
                 element: self.u32()?,
                 s: [self.f64()?, self.f64()?],
                 along: self.f64()?,
                 node: self.u32()?,
+                chords: self.u32()?,
                 continued: [self.flag()?, self.flag()?],
             });
             memory.sagittas.push(self.finite("a piece's sagitta")?);
         }
         for _ in 0..self.count(3 * 8)? {
-            memory.nodes.push(self.finite_vector("the end of a piece")?);
+            memory.nodes.push(self.finite_vector("the end of a chord")?);
         }
         for _ in 0..self.count(2 * 4)? {
             memory.candidates.push((self.u32()?, self.u32()?));

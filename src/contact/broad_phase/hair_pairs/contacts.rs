@@ -2,7 +2,7 @@
 
 use super::{Group, HairPairs};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
-use crate::contact::narrow_phase::strand_contacts::{MovingPiece, PairScratch, TwoStrands};
+use crate::contact::narrow_phase::strand_contacts::{Encounter, MovingPiece, PairScratch, TwoStrands};
 
 impl HairPairs {
     /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m, zero or
@@ -17,16 +17,21 @@ impl HairPairs {
         scratch: &mut PairScratch,
         out: &mut Vec<ContactPoint>,
     ) {
+        let all = &self.pieces;
         let moving = |index: u32| {
-            let piece = &self.pieces.pieces[index as usize];
-            let node = piece.node as usize;
-            MovingPiece {
-                piece,
-                start: [self.carried[node], self.carried[node + 1]],
-                now: [self.now.nodes[node], self.now.nodes[node + 1]],
-                sagitta: self.now.sagittas[index as usize],
-            }
+            let piece = &all.pieces[index as usize];
+            let ends = [piece.node as usize, piece.last_node()];
+            let (start, now) = (ends.map(|node| self.carried[node]), ends.map(|node| self.now.nodes[node]));
+            MovingPiece { piece, start, now, sagitta: self.now.bows[index as usize] }
         };
+        let moving_chord = |index: u32| {
+            let chord = &all.chords[index as usize];
+            let ends = [chord.node as usize, chord.node as usize + 1];
+            let (start, now) = (ends.map(|node| self.carried[node]), ends.map(|node| self.now.nodes[node]));
+            let piece = &all.pieces[chord.piece as usize];
+            MovingPiece { piece, start, now, sagitta: self.now.sagittas[chord.piece as usize] }
+        };
+        let piece_of = |chord: u32| all.chords[chord as usize].piece;
         let two = TwoStrands {
             a: &strands[group.a as usize],
             b: &strands[group.b as usize],
@@ -35,9 +40,15 @@ impl HairPairs {
             within: within.min(self.activation),
             turned: self.turned,
         };
-        let candidates = self.candidates[group.from as usize..group.to as usize].iter();
+        let candidates = &self.candidates[group.range()];
+        let of_pieces = |(i, j): &(u32, u32)| (piece_of(*i), piece_of(*j));
+        let candidates = candidates.chunk_by(|a, b| of_pieces(a) == of_pieces(b)).filter_map(|chords| {
+            let (i, j) = of_pieces(&chords[0]);
+            let may = Encounter::of_any(chords.iter().map(|(i, j)| two.may_meet(&moving_chord(*i), &moving_chord(*j))));
+            may.is_possible().then(|| (moving(i), moving(j), may))
+        });
         let first = out.len();
-        two.contacts(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+        two.contacts(candidates, scratch, out);
         if self.knots.holds(group.a) && self.knots.holds(group.b) {
             self.gather(group, strands, within, first, out);
         }

@@ -4,7 +4,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{HairPairs, Root, Validity};
-use crate::contact::broad_phase::pieces::{Piece, Wisp};
+use crate::contact::broad_phase::pieces::{MAX_CHORDS, Piece, Pieces, Wisp};
 
 /// The memory of a search whose pairs are still valid.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -13,13 +13,13 @@ pub(crate) struct PairMemory {
     pub margin: f64,
     pub wisps: Vec<Wisp>,
     pub pieces: Vec<Piece>,
-    /// Pairs of indices of pieces.
+    /// Pairs of indices of the pieces' chords.
     pub candidates: Vec<(u32, u32)>,
-    /// Where the pieces' ends were when the search was made.
+    /// Where the chords' ends were when the search was made.
     pub nodes: Vec<Vector3<f64>>,
     /// Where the roots were then, of the strands that take part.
     pub roots: Vec<(Vector3<f64>, Matrix3<f64>)>,
-    /// How far each piece was off its chord then.
+    /// How far each piece was off its chords then.
     pub sagittas: Vec<f64>,
 }
 
@@ -54,8 +54,7 @@ impl HairPairs {
             validity: Validity::Before,
             ..Self::default()
         };
-        self.pieces.pieces = memory.pieces;
-        self.pieces.nodes = memory.nodes.len();
+        self.pieces = Pieces::of(memory.pieces, memory.nodes.len());
         self.found_at = memory.nodes;
         self.group();
         true
@@ -94,20 +93,22 @@ impl PairMemory {
                 Some(before) => piece.strand > before.strand && !piece.continued[0] && place(piece) > place(before),
             };
             // Between two strands there is one node more: the end of the last piece.
-            node += u32::from(before.is_some()) + u32::from(before.is_some() && !goes_on);
+            node += before.map_or(0, |before| before.chords + u32::from(!goes_on));
+            let in_order = in_order && (1..=MAX_CHORDS).contains(&piece.chords);
             if !(inside && in_order && piece.node == node && self.wisps[piece.strand as usize].radius > 0.0) {
                 return false;
             }
             before = Some(piece);
         }
-        let last = before.map_or(0, |last| if last.continued[1] { usize::MAX } else { last.node as usize + 2 });
+        let last = before.map_or(0, |last| if last.continued[1] { usize::MAX } else { last.last_node() + 1 });
         self.nodes.len() == last
     }
 
     /// Candidates in the order in which groups are made.
     fn candidates_are_whole(&self) -> bool {
-        let count = self.pieces.len() as u32;
-        let key = |(i, j): &(u32, u32)| (self.pieces[*i as usize].strand, self.pieces[*j as usize].strand, *i, *j);
-        self.candidates.iter().all(|(i, j)| i < j && *j < count) && self.candidates.is_sorted_by_key(key)
+        let pieces = Pieces::of(self.pieces.clone(), self.nodes.len());
+        let count = pieces.chords.len() as u32;
+        let are_pairs = self.candidates.iter().all(|(i, j)| i < j && *j < count);
+        are_pairs && self.candidates.is_sorted_by_key(|(i, j)| pieces.order_of(*i, *j))
     }
 }
