@@ -34,62 +34,58 @@ pub struct Grid {
 /// Boxes of a bucket that are held against one at a time.
 const SIDE_BY_SIDE: usize = 16;
 
-/// The boxes of a bucket's entries side by side, in single precision: to round keeps the order of two numbers, so that boxes that meet
-/// still do.
+/// The boxes of a bucket's entries, in groups side by side.
 #[derive(Debug, Default)]
 pub struct Bucket {
-    groups: Vec<[[[f32; SIDE_BY_SIDE]; 3]; 2]>,
-    /// Which of them there are, and which are asked, one bit each.
-    present: Vec<u32>,
-    asked: Vec<u32>,
+    groups: Vec<Group>,
+}
+
+/// Boxes in single precision: to round keeps the order of two numbers, so that boxes that meet still do.
+#[derive(Debug)]
+struct Group {
+    low: [[f32; SIDE_BY_SIDE]; 3],
+    high: [[f32; SIDE_BY_SIDE]; 3],
+    /// Which of them there are, and which are asked about, one bit each.
+    present: u32,
+    asked: u32,
+}
+
+impl Group {
+    fn of(entries: &[Entry], boxes: &[Bounds], asked: &impl Fn(usize) -> bool) -> Self {
+        let empty = [[f32::INFINITY; SIDE_BY_SIDE]; 3];
+        let mut group = Self { low: empty, high: empty, present: (1 << entries.len()) - 1, asked: 0 };
+        for (k, entry) in entries.iter().enumerate() {
+            let Bounds { low, high } = &boxes[entry.item as usize];
+            for axis in 0..3 {
+                (group.low[axis][k], group.high[axis][k]) = (low[axis] as f32, high[axis] as f32);
+            }
+            group.asked |= u32::from(asked(entry.item as usize)) << k;
+        }
+        group
+    }
 }
 
 impl Bucket {
-    /// Takes the boxes of these entries. False if none is asked.
-    fn fill(&mut self, entries: &[Entry], boxes: &[Bounds], asked: &impl Fn(usize) -> bool) -> bool {
-        self.present.clear();
-        self.asked.clear();
-        let bit = |(k, entry): (usize, &Entry)| u32::from(asked(entry.item as usize)) << k;
-        self.asked.extend(entries.chunks(SIDE_BY_SIDE).map(|entries| entries.iter().enumerate().map(bit).sum::<u32>()));
-        if self.asked.iter().all(|asked| *asked == 0) {
-            return false;
-        }
+    fn fill(&mut self, entries: &[Entry], boxes: &[Bounds], asked: &impl Fn(usize) -> bool) {
         self.groups.clear();
-        for entries in entries.chunks(SIDE_BY_SIDE) {
-            // What is left over is above everything.
-            let mut group = [[[f32::INFINITY; SIDE_BY_SIDE]; 3]; 2];
-            for (k, entry) in entries.iter().enumerate() {
-                let Bounds { low, high } = &boxes[entry.item as usize];
-                for axis in 0..3 {
-                    (group[0][axis][k], group[1][axis][k]) = (low[axis] as f32, high[axis] as f32);
-                }
-            }
-            self.groups.push(group);
-            self.present.push((1 << entries.len()) - 1);
-        }
-        true
+        self.groups.extend(entries.chunks(SIDE_BY_SIDE).map(|entries| Group::of(entries, boxes, asked)));
     }
 
-    fn is_asked(&self, entry: usize) -> bool {
-        self.asked[entry / SIDE_BY_SIDE] >> (entry % SIDE_BY_SIDE) & 1 == 1
-    }
-
-    /// The later boxes of a group that may meet an entry's box and are asked, or all if the entry is: one bit each.
+    /// The later boxes of a group that may meet an entry's box and are asked about, or all if the entry is: one bit each.
     #[inline(always)]
     fn may_meet(&self, entry: usize, group: usize) -> u32 {
-        // (Where numbers are beyond single precision, what is left over is not above them.)
-        let later = if group == entry / SIDE_BY_SIDE { u32::MAX << (entry % SIDE_BY_SIDE + 1) } else { u32::MAX };
-        let counts = later & if self.is_asked(entry) { self.present[group] } else { self.asked[group] };
+        let (own, lane) = (&self.groups[entry / SIDE_BY_SIDE], entry % SIDE_BY_SIDE);
+        let other = &self.groups[group];
+        let later = if group == entry / SIDE_BY_SIDE { u32::MAX << (lane + 1) } else { u32::MAX };
+        let counts = later & if own.asked >> lane & 1 == 1 { other.present } else { other.asked };
         if counts == 0 {
             return 0;
         }
-        let [own_lows, own_highs] = &self.groups[entry / SIDE_BY_SIDE];
-        let [lows, highs] = &self.groups[group];
         let mut meets = [true; SIDE_BY_SIDE];
         for axis in 0..3 {
-            let (low, high) = (own_lows[axis][entry % SIDE_BY_SIDE], own_highs[axis][entry % SIDE_BY_SIDE]);
+            let (low, high) = (own.low[axis][lane], own.high[axis][lane]);
             for k in 0..SIDE_BY_SIDE {
-                meets[k] &= (low <= highs[axis][k]) & (lows[axis][k] <= high);
+                meets[k] &= (low <= other.high[axis][k]) & (other.low[axis][k] <= high);
             }
         }
         let bits = meets.iter().enumerate().fold(0, |bits, (k, meets)| bits | u32::from(*meets) << k);
@@ -168,9 +164,10 @@ impl Grid {
             let from = self.starts[index + 1] as usize;
             let to = self.starts.get(index + 2).map_or(self.entries.len(), |next| *next as usize);
             let entries = &self.entries[from..to];
-            if entries.len() < 2 || !bucket.fill(entries, boxes, &asked) {
+            if entries.len() < 2 || !entries.iter().any(|entry| asked(entry.item as usize)) {
                 continue;
             }
+            bucket.fill(entries, boxes, &asked);
             for (i, first) in entries.iter().enumerate() {
                 for group in i / SIDE_BY_SIDE..bucket.groups.len() {
                     let mut meeting = bucket.may_meet(i, group);

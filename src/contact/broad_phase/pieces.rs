@@ -120,7 +120,8 @@ fn bend(curve: &StrandCurve, element: usize) -> f64 {
     (k1 * k1 + k2 * k2).sqrt()
 }
 
-/// How far a piece is off its chord, at most, m: Ωs²/8, and never more than across its circle.
+/// How far a piece is off its chord, at most, m: Ωs²/8, and never more than across its circle (less than
+/// [`crate::rod::kinematics::off_chord`] has it for coils, which are one piece).
 fn off_chord(bend: f64, length: f64) -> f64 {
     (0.125 * bend * length * length).min(2.0 / bend)
 }
@@ -204,6 +205,7 @@ impl Pieces {
 
     /// A number for a pair of chords that orders such pairs by first strand, second strand, first piece, second piece, and chords.
     pub fn order_of(&self, first: u32, second: u32) -> u128 {
+        const { assert!(MAX_CHORDS <= 16, "a chord within its piece has four bits") };
         let [first, second] = [first, second].map(|chord| {
             let Chord { piece, .. } = self.chords[chord as usize];
             let strand = self.pieces[piece as usize].strand;

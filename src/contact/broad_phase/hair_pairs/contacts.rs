@@ -18,18 +18,18 @@ impl HairPairs {
         out: &mut Vec<ContactPoint>,
     ) {
         let all = &self.pieces;
-        let moving = |index: u32| {
-            let piece = &all.pieces[index as usize];
-            let ends = [piece.node as usize, piece.last_node()];
+        let moving = |piece, ends: [usize; 2], sagitta| {
             let (start, now) = (ends.map(|node| self.carried[node]), ends.map(|node| self.now.nodes[node]));
-            MovingPiece { piece, start, now, sagitta: self.now.bows[index as usize] }
+            MovingPiece { piece, start, now, sagitta }
+        };
+        let moving_piece = |index: u32| {
+            let piece = &all.pieces[index as usize];
+            moving(piece, [piece.node as usize, piece.last_node()], self.now.bows[index as usize])
         };
         let moving_chord = |index: u32| {
             let chord = &all.chords[index as usize];
-            let ends = [chord.node as usize, chord.node as usize + 1];
-            let (start, now) = (ends.map(|node| self.carried[node]), ends.map(|node| self.now.nodes[node]));
-            let piece = &all.pieces[chord.piece as usize];
-            MovingPiece { piece, start, now, sagitta: self.now.sagittas[chord.piece as usize] }
+            let (piece, node) = (chord.piece as usize, chord.node as usize);
+            moving(&all.pieces[piece], [node, node + 1], self.now.sagittas[piece])
         };
         let piece_of = |chord: u32| all.chords[chord as usize].piece;
         let two = TwoStrands {
@@ -45,7 +45,7 @@ impl HairPairs {
         let candidates = candidates.chunk_by(|a, b| of_pieces(a) == of_pieces(b)).filter_map(|chords| {
             let (i, j) = of_pieces(&chords[0]);
             let may = Encounter::of_any(chords.iter().map(|(i, j)| two.may_meet(&moving_chord(*i), &moving_chord(*j))));
-            may.is_possible().then(|| (moving(i), moving(j), may))
+            may.is_possible().then(|| (moving_piece(i), moving_piece(j), may))
         });
         let first = out.len();
         two.contacts(candidates, scratch, out);
