@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use superhelix::hair::{FitOptions, fit_polyline};
-use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, HeldRoots, PairOptions};
 use superhelix::internals::contact::broad_phase::pieces::Wisp;
 use superhelix::internals::contact::contact_point::{StrandCurve, StrandPath};
 use superhelix::internals::contact::narrow_phase::strand_contacts::PairScratch;
@@ -77,6 +77,7 @@ fn main() {
                 index: index as u32,
                 start: StrandCurve { origin: strands[index].origin, elements: &then[index].elements },
                 now: StrandCurve { origin: strands[index].origin, elements: &now[index].elements },
+                permitted_overlap: None,
             })
             .collect();
         for (radius, margin) in [(0.5e-3, 1e-3), (1e-3, 0.5e-3), (1e-3, 1e-3), (1e-3, 2e-3), (2e-3, 1e-3)] {
@@ -85,7 +86,9 @@ fn main() {
             let (mut search, mut again, mut narrow, mut count) = (f64::INFINITY, f64::INFINITY, f64::INFINITY, 0);
             let (mut scratch, mut contacts) = (PairScratch::default(), Vec::new());
             for _ in 0..5 {
-                pairs.set(&wisps, &PairOptions { activation: 0.2e-3, margin }).expect("the options are in range");
+                pairs
+                    .set(&wisps, &PairOptions { activation: 0.2e-3, margin, held_roots: HeldRoots::Ignored })
+                    .expect("the options are in range");
                 pairs.begin_step();
                 let clock = Instant::now();
                 assert!(pairs.update(&paths).expect("as many paths as wisps"));

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, HeldRoots, PairOptions};
 use superhelix::internals::contact::broad_phase::pieces::Wisp;
 use superhelix::internals::contact::contact_point::{StrandCurve, StrandPath};
 use superhelix::internals::contact::narrow_phase::strand_contacts::PairScratch;
@@ -92,7 +92,7 @@ fn seconds() -> f64 {
 
 /// One full search for contacts between strands on one thread, as at the start of a step: how many it finds, and its time, s.
 fn search(pairs: &mut HairPairs, then: &Poses, now: &Poses) -> Outcome<(usize, f64)> {
-    let path = |k| StrandPath { index: k as u32, start: then.curve(k), now: now.curve(k) };
+    let path = |k| StrandPath { index: k as u32, start: then.curve(k), now: now.curve(k), permitted_overlap: None };
     let paths: Vec<StrandPath> = (0..now.0.len()).map(path).collect();
     let (mut scratch, mut found) = (PairScratch::default(), Vec::new());
     let started = seconds();
@@ -118,7 +118,10 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
         .set_contact(&ids, Some(&StrandContact { wisp_radius: scene.wisp_radius, exempt_length, ..StrandContact::default() }))?;
     let mut pairs = HairPairs::default();
     let wisp = Wisp { radius: scene.wisp_radius, exempt: exempt_length, ..Wisp::default() };
-    pairs.set(&vec![wisp; ids.len()], &PairOptions { activation: 0.1 * scene.wisp_radius, margin: 0.5 * scene.wisp_radius })?;
+    pairs.set(
+        &vec![wisp; ids.len()],
+        &PairOptions { activation: 0.1 * scene.wisp_radius, margin: 0.5 * scene.wisp_radius, held_roots: HeldRoots::Ignored },
+    )?;
     let (mut milliseconds, mut contacts, mut iterations, mut unconverged) = (Vec::new(), 0.0, 0.0, 0);
     let (mut searched, mut found) = (Vec::new(), 0.0);
     for step in 0..CALM + steps {

@@ -3,6 +3,7 @@
 
 use nalgebra::Vector3;
 
+use super::permitted_overlap::PermittedOverlap;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::ElementState;
 
@@ -61,6 +62,8 @@ pub struct StrandPath<'a> {
     pub start: StrandCurve<'a>,
     /// At the present iterate for the step's end.
     pub now: StrandCurve<'a>,
+    /// The overlap with other strands that it is permitted to have, if any.
+    pub permitted_overlap: Option<&'a PermittedOverlap>,
 }
 
 /// The partner of a strand in contact.

@@ -188,7 +188,8 @@ impl Friction {
 pub struct StrandContact {
     /// Distance of the strand's surface from its centreline for bodies, m; zero or above. The radius of its section by default.
     pub radius: f64,
-    /// The same for other strands: the radius of the wisp for which it stands, m; zero: it collides with no strand.
+    /// The same for other strands: the radius of the wisp for which it stands, m; zero: it collides with no strand. Strands whose roots
+    /// are closer than the sum of their radii touch only beyond that length from their roots: no force parts them there.
     pub wisp_radius: f64,
     /// Coulomb's coefficient against bodies, multiplied by the body's (hard and Coulomb models).
     pub friction: Friction,

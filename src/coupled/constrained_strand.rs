@@ -134,7 +134,7 @@ pub struct ConstrainedStrand {
 impl ConstrainedStrand {
     /// Its curve at the start of the step and at the present iterate.
     pub fn path(&self) -> StrandPath<'_> {
-        path_of(self.index, &self.step)
+        path_of(self.index, &self.step, self.permitted_overlap.as_deref())
     }
 
     /// Its step has begun.
@@ -176,7 +176,7 @@ impl ConstrainedStrand {
         if self.meets == Meets::Nothing {
             return;
         }
-        let path = path_of(self.index, &self.step);
+        let path = path_of(self.index, &self.step, self.permitted_overlap.as_deref());
         let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
         self.bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
@@ -390,7 +390,7 @@ impl ConstrainedStrand {
     }
 }
 
-fn path_of(index: u32, step: &ConstrainedStep) -> StrandPath<'_> {
+fn path_of<'a>(index: u32, step: &'a ConstrainedStep, permitted_overlap: Option<&'a PermittedOverlap>) -> StrandPath<'a> {
     let curve = |(origin, elements)| StrandCurve { origin, elements };
-    StrandPath { index, start: curve(step.start()), now: curve(step.now()) }
+    StrandPath { index, start: curve(step.start()), now: curve(step.now()), permitted_overlap }
 }

@@ -4,7 +4,7 @@
 //! Files:
 //!
 //! - `memory.rs`: The contacts kept from substep to substep, saved and restored for snapshots.
-//! - `permitted_overlaps.rs`: Contacts of strands with permitted overlaps: their surfaces are nearer to their centrelines there.
+//! - `permitted_overlaps.rs`: Contacts with bodies of strands with permitted overlaps: their surfaces are nearer to their centrelines there.
 //! - `undetected.rs`: Contacts that a search between iterations finds and no constraint represents: they are added to the islands' constraints.
 //! - `warm_start.rs`: The warm start: the forces of the last substep's contacts, with which the next one begins.
 
@@ -24,7 +24,7 @@ use super::coupled_step::{Scratch, Stepping};
 use super::island::Island;
 use super::nearest_pair::depth;
 use crate::chain::load::MaterialPoint;
-use crate::contact::broad_phase::hair_pairs::{HairPairs, PairOptions, Tie};
+use crate::contact::broad_phase::hair_pairs::{HairPairs, HeldRoots, PairOptions, Tie};
 use crate::contact::broad_phase::pieces::Wisp;
 use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
@@ -190,16 +190,13 @@ impl ContactDetection {
         for (k, task) in self.tasks[..tasks].iter_mut().enumerate() {
             task.from = k * PAIRS_PER_TASK;
         }
-        let (pairs, allows) = (&self.pairs, self.allows);
+        let pairs = &self.pairs;
         stepping.workers.for_each_task(&mut self.tasks[..tasks], 1, 1, |tasks, _| {
             for PairTask { from, contacts, scratch } in tasks {
                 contacts.clear();
                 for group in groups[*from..].iter().take(PAIRS_PER_TASK).take_while(|_| !stepping.meter.is_halted()) {
                     pairs.contacts(group, &paths, within, scratch, contacts);
                     stepping.meter.spend(u64::from(group.candidates()) * WORK_A_CANDIDATE);
-                }
-                if allows {
-                    permitted_overlaps::reduce_hair_contacts(strands, within.min(pairs.activation()), contacts);
                 }
             }
         });
@@ -347,7 +344,7 @@ pub(super) fn unseen(options: &ContactOptions) -> f64 {
 /// The search distances for these wisps.
 pub(crate) fn pair_options(wisps: &[Wisp]) -> PairOptions {
     let largest = wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
-    PairOptions { activation: NEAR.min(NEAR_HAIR * largest), margin: MARGIN * largest }
+    PairOptions { activation: NEAR.min(NEAR_HAIR * largest), margin: MARGIN * largest, held_roots: HeldRoots::Ignored }
 }
 
 fn end(constrained: u32, place: &StrandPoint) -> ConstraintEnd {

@@ -70,6 +70,8 @@ pub struct Left {
 pub struct Progress {
     /// The last contact problem's report.
     pub report: Report,
+    /// Whether that problem was solved as exactly as asked for.
+    pub is_solved: bool,
     /// Newton iterations so far.
     pub iterations: u32,
     /// How the iteration ended, or its present state.
@@ -80,10 +82,12 @@ pub struct Progress {
     pub relaxings: u32,
     /// How far from convergence a strand may be to rest, rad.
     pub rest: f64,
-    /// The least residual so far, in units of the tolerance, and the iteration in which it was halved.
-    best: (f64, u32),
+    /// What it has spent so far, in iterations of all its strands: those at rest cost nothing.
+    spent: f64,
+    /// The least residual so far, in units of the tolerance, and what was spent when it was halved.
+    best: (f64, f64),
     /// The same for the number of unconverged strands and constraints.
-    fewest: (usize, u32),
+    fewest: (usize, f64),
     /// Iterations in a row without progress, see [`IDLE`].
     idle: u32,
     /// The depth of the deepest yielding contact at the last push, m, and the number of pushes.
@@ -94,13 +98,15 @@ impl Default for Progress {
     fn default() -> Self {
         Self {
             report: Report::default(),
+            is_solved: false,
             iterations: 0,
             ending: Ending::default(),
             kinked: 0,
             relaxings: 0,
             rest: -1.0,
-            best: (f64::INFINITY, 0),
-            fewest: (usize::MAX, 0),
+            spent: 0.0,
+            best: (f64::INFINITY, 0.0),
+            fewest: (usize::MAX, 0.0),
             idle: 0,
             pushed: (f64::INFINITY, 0),
         }
@@ -156,14 +162,16 @@ impl Island {
     /// Goes on from there, but looks at bodies' surfaces as often as a new one ([`LOOKS`]).
     pub fn resume(&mut self, progress: Progress) {
         let iterations = progress.iterations.min(1);
-        let counted = |iteration: u32| iteration.saturating_sub(progress.iterations - iterations);
+        let spent = f64::from(iterations);
+        let counted = |then: f64| (then - (progress.spent - spent)).max(0.0);
         let (best, fewest) = ((progress.best.0, counted(progress.best.1)), (progress.fewest.0, counted(progress.fewest.1)));
-        self.progress = Progress { iterations, best, fewest, ..progress };
+        self.progress = Progress { iterations, spent, best, fewest, ..progress };
     }
 
-    /// Progress is counted from this iteration on.
-    pub(super) fn begin_to_count(&mut self, iteration: u32) {
-        (self.progress.best, self.progress.fewest, self.progress.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
+    /// Progress is counted from now on.
+    pub(super) fn begin_to_count(&mut self) {
+        let spent = self.progress.spent;
+        (self.progress.best, self.progress.fewest, self.progress.idle) = ((f64::INFINITY, spent), (usize::MAX, spent), 0);
     }
 
     /// Goes on from a rough solve. True if there is more to do.
@@ -173,7 +181,7 @@ impl Island {
             // Strands rested by the rough tolerance.
             self.progress.rest = -1.0;
             self.progress.ending.lower_to(Outcome::GoodEnough);
-            self.begin_to_count(self.progress.iterations);
+            self.begin_to_count();
         }
         self.phase = if self.phase.has_ended() && !goes_on { Phase::Ended } else { Phase::Full };
         goes_on

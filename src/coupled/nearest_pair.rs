@@ -20,19 +20,21 @@ pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], toleran
     let ends = [constraint.first, second];
     let strands = ends.map(|end| &strands[end.strand as usize]);
     let curves = strands.map(|strand| strand.path().now);
-    let exempt = strands.map(|strand| strand.contact.exempt_length);
-    margin - nearest_distance(curves, exempt, ends.map(|end| (end.material_point.element, end.material_point.s)))
+    let [a, b] = strands.map(|strand| strand.contact.wisp());
+    let held = a.held_length(&b, (curves[0].left_end(0) - curves[1].left_end(0)).norm());
+    let without_contact = [a, b].map(|wisp| wisp.exempt.max(held));
+    margin - nearest_distance(curves, without_contact, ends.map(|end| (end.material_point.element, end.material_point.s)))
 }
 
-/// The least distance of two curves beyond the lengths that are `exempt` at their roots (m), near these two points (element,
+/// The least distance of two curves beyond the lengths `without_contact` at their roots (m), near these two points (element,
 /// arclength in it, m). Ends count.
-fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(usize, f64); 2]) -> f64 {
+fn nearest_distance(curves: [StrandCurve; 2], without_contact: [f64; 2], mut places: [(usize, f64); 2]) -> f64 {
     let mut hops = 0;
     loop {
         let arcs = [0, 1].map(|k| {
             let (curve, element) = (curves[k], places[k].0);
             let length = curve.elements[element].length;
-            let begin = exempt[k] - curve.along(element, 0.0);
+            let begin = without_contact[k] - curve.along(element, 0.0);
             Arc { curve, element, s: [begin.clamp(0.0, length), length] }
         });
         let pair = closest(&arcs[0], &arcs[1], places.map(|place| place.1), [false; 2]);

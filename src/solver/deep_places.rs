@@ -6,7 +6,7 @@ use super::strand::Strand;
 use super::ties::ties;
 use super::workers::WorkerSet;
 use crate::contact::body_at::BodyAt;
-use crate::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use crate::contact::broad_phase::hair_pairs::{HairPairs, HeldRoots, PairOptions};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use crate::contact::narrow_phase::path_bounds::PathBounds;
 use crate::contact::narrow_phase::strand_body::{self, Span};
@@ -154,7 +154,8 @@ impl CurrentScene<'_> {
             paths.push(path(*index as u32, self.strands[*index].state.root.origin, &curve.elements));
         }
         // As in a step: contacts that it merges are merged here too.
-        let options = PairOptions { margin: 0.0, ..pair_options(&wisps) };
+        // But what overlaps at roots overlaps beside them too, where no nearest place shows it.
+        let options = PairOptions { margin: 0.0, held_roots: HeldRoots::Counted, ..pair_options(&wisps) };
         let mut pairs = HairPairs::default();
         let ties: Vec<_> = ties(self.constraints, |id| of.binary_search(&self.slots.index(id)?).ok()).collect();
         // Everything that could be refused was checked when the solver received it.
@@ -178,5 +179,5 @@ impl CurrentScene<'_> {
 
 fn path(index: u32, origin: nalgebra::Vector3<f64>, elements: &[ElementState<f64>]) -> StrandPath<'_> {
     let curve = StrandCurve { origin, elements };
-    StrandPath { index, start: curve, now: curve }
+    StrandPath { index, start: curve, now: curve, permitted_overlap: None }
 }

@@ -5,7 +5,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use nalgebra::{Rotation3, Vector3};
-use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, PairOptions};
+use superhelix::editing::PermittedOverlap;
+use superhelix::internals::contact::broad_phase::hair_pairs::{HairPairs, HeldRoots, PairOptions};
 use superhelix::internals::contact::broad_phase::pieces::Wisp;
 use superhelix::internals::contact::contact_point::{ContactPoint, Partner, StrandCurve, StrandPath, StrandPoint};
 use superhelix::internals::contact::narrow_phase::strand_contacts::PairScratch;
@@ -107,9 +108,24 @@ fn contacts_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (
 
 /// The same at an iterate of a step that has begun.
 fn contacts_at_iterate(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<ContactPoint>) {
+    contacts_with_overlap(pairs, then, now, None)
+}
+
+/// The same if every strand may overlap others.
+fn contacts_with_overlap(
+    pairs: &mut HairPairs,
+    then: &[Strand],
+    now: &[Strand],
+    permitted_overlap: Option<&PermittedOverlap>,
+) -> (bool, Vec<ContactPoint>) {
     let poses: Vec<[Kinematics<f64>; 2]> = then.iter().zip(now).map(|(a, b)| [a.pose(), b.pose()]).collect();
     let paths: Vec<StrandPath> = (0..now.len())
-        .map(|k| StrandPath { index: k as u32, start: then[k].curve(&poses[k][0]), now: now[k].curve(&poses[k][1]) })
+        .map(|k| StrandPath {
+            index: k as u32,
+            start: then[k].curve(&poses[k][0]),
+            now: now[k].curve(&poses[k][1]),
+            permitted_overlap,
+        })
         .collect();
     let searched = pairs.update(&paths).unwrap();
     let (mut out, mut scratch) = (Vec::new(), PairScratch::default());
@@ -120,7 +136,7 @@ fn contacts_at_iterate(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -
 }
 
 fn options(activation: f64, margin: f64) -> PairOptions {
-    PairOptions { activation, margin }
+    PairOptions { activation, margin, held_roots: HeldRoots::Ignored }
 }
 
 fn contacts_at(strands: &[Strand], wisps: &[Wisp], options: &PairOptions) -> Vec<ContactPoint> {
@@ -457,8 +473,6 @@ fn strands_that_passed_through_each_other_keep_their_side() {
     }
 }
 
-/// A strand wound round a straight one is on all sides of it within a centimetre. A place that is where it was is on its old side, wherever the strands
-/// have crossed beside it.
 /// A straight strand that falls through one element that is bowed by nine radii, 1.5 mm above it and then 0.5 mm below it, at any place.
 #[test]
 fn a_strand_that_passed_through_a_bowed_one_keeps_its_side() {
@@ -483,6 +497,8 @@ fn a_strand_that_passed_through_a_bowed_one_keeps_its_side() {
     }
 }
 
+/// A strand wound round a straight one is on all sides of it within a centimetre. A place that is where it was is on its old side, wherever the strands
+/// have crossed beside it.
 #[test]
 fn of_strands_wound_round_each_other_only_places_that_crossed_keep_their_side() {
     let mut random = Random(5);
@@ -559,6 +575,61 @@ fn common_rotations_and_detours_are_not_crossings() {
     }
 }
 
+/// Where strands may overlap, what they keep apart is less, and they keep their sides as long as they were outside of that.
+#[test]
+fn strands_that_may_overlap_keep_their_side_too() {
+    let overlap = PermittedOverlap { along: vec![0.0], wisp_fractions: vec![0.25], sunk: vec![0.0] };
+    for angle in [0.0, 0.7, 1.5] {
+        // Of 2 mm they keep 0.5 mm; from 0.7 mm above to 0.5 mm below.
+        let (then, now) = crossing(0.7e-3, 1.2e-3, angle);
+        let mut pairs = HairPairs::default();
+        pairs.set(&wisps(2, 1e-3), &options(0.5e-3, 1e-3)).unwrap();
+        let mut found = |permitted_overlap| {
+            pairs.begin_step();
+            let (_, contacts) = contacts_with_overlap(&mut pairs, &then, &now, permitted_overlap);
+            let at_crossing = |contact: &ContactPoint| angle == 0.0 || (now[0].along(&contact.point) - 0.047).abs() < 1e-3;
+            let of = contacts.into_iter().filter(at_crossing).map(|contact| (contact.normal.z, contact.gap)).collect::<Vec<_>>();
+            assert!(!of.is_empty(), "angle {angle}");
+            of
+        };
+        for (normal, gap) in found(Some(&overlap)) {
+            assert!(normal < -0.999_999 && (gap + 1e-3).abs() < 1e-6, "angle {angle}: {normal}, {gap}");
+        }
+        // With their full radii they were inside each other, and leave by the shortest path.
+        for (normal, gap) in found(None) {
+            assert!(normal > 0.999_999 && (gap + 1.5e-3).abs() < 1e-6, "angle {angle}: {normal}, {gap}");
+        }
+    }
+    // What they may overlap is no contact, however near the search looks.
+    let (strands, _) = crossing(0.6e-3, 0.0, 1.5);
+    let mut pairs = HairPairs::default();
+    pairs.set(&wisps(2, 1e-3), &options(0.05e-3, 1e-3)).unwrap();
+    pairs.begin_step();
+    assert!(contacts_with_overlap(&mut pairs, &strands, &strands, Some(&overlap)).1.is_empty());
+}
+
+/// Strands whose roots are closer than the sum of their radii touch from that arclength on; others all along.
+#[test]
+fn strands_rooted_in_each_other_do_not_touch_at_their_roots() {
+    let wisps = wisps(2, 1e-3);
+    let meet = |root: Vector3<f64>, way: Vector3<f64>| {
+        let strands = [Strand::straight(Vector3::zeros(), Vector3::new(0.1, 0.0, 0.0), 5), Strand::straight(root, way * 0.1, 5)];
+        let along = |contact: &ContactPoint| [strands[0].along(&contact.point), strands[1].along(&partner(contact))];
+        contacts_at(&strands, &wisps, &options(0.0, 0.0)).iter().map(along).collect::<Vec<_>>()
+    };
+    let beside = Vector3::new(0.0, 0.5e-3, 0.0);
+    // Diverging from their roots they touch nowhere; side by side at each joint and their tips, but not at their roots.
+    assert_eq!(meet(beside, Vector3::new(0.98, 0.199, 0.0)), Vec::<[f64; 2]>::new());
+    let joints = meet(beside, Vector3::x());
+    assert!(joints.len() == 5 && joints.iter().flatten().all(|along| *along > 0.0199), "{joints:?}");
+    // Across each other 20 mm away.
+    let across = meet(Vector3::new(0.0, 0.5e-3, 0.5e-3), Vector3::new(0.9997, -0.025, 0.0).normalize());
+    assert!(across.iter().any(|along| (along[0] - 0.02).abs() < 1e-3), "{across:?}");
+    // Across each other next to roots that are less than 2 mm apart, and more.
+    assert_eq!(meet(Vector3::new(1e-3, 1.2e-3, 1.2e-3), -Vector3::y()).len(), 0);
+    assert_eq!(meet(Vector3::new(1e-3, 1.5e-3, 1.5e-3), -Vector3::y()).len(), 1);
+}
+
 #[test]
 fn filters_exempt_lengths_and_a_strand_with_itself() {
     let (strands, _) = crossing(1.5e-3, 0.0, 1.5);
@@ -623,7 +694,12 @@ fn nothing_is_allocated_once_memory_has_grown() {
     let strands: Vec<Strand> = (0..40).map(|_| Strand::random(&mut random, 4, 1.5, 0.012)).collect();
     let poses: Vec<Kinematics<f64>> = strands.iter().map(Strand::pose).collect();
     let paths: Vec<StrandPath> = (0..40)
-        .map(|k| StrandPath { index: k as u32, start: strands[k].curve(&poses[k]), now: strands[k].curve(&poses[k]) })
+        .map(|k| StrandPath {
+            index: k as u32,
+            start: strands[k].curve(&poses[k]),
+            now: strands[k].curve(&poses[k]),
+            permitted_overlap: None,
+        })
         .collect();
     let wisps = wisps(40, 1e-3);
     let (mut pairs, mut scratch, mut out) = (HairPairs::default(), PairScratch::default(), Vec::new());

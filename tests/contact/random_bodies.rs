@@ -134,6 +134,7 @@ impl Moving {
             index: 3,
             start: StrandCurve { origin: self.start.0, elements: &self.start.1 },
             now: StrandCurve { origin: self.now.0, elements: &self.now.1 },
+            permitted_overlap: None,
         }
     }
 

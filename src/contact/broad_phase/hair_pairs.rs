@@ -46,6 +46,19 @@ pub struct PairOptions {
     /// How far a piece may move relative to the rest before pairs are searched for again, m, zero or above. A larger one means
     /// fewer searches and more candidates.
     pub margin: f64,
+    /// Contacts next to roots that are held in each other.
+    pub held_roots: HeldRoots,
+}
+
+/// What becomes of contacts next to roots that are closer to each other than the sum of their strands' radii, see
+/// [`Wisp::held_length`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HeldRoots {
+    /// They are left out: no force parts the strands there.
+    #[default]
+    Ignored,
+    /// They are found, since all overlaps are asked for.
+    Counted,
 }
 
 /// The results of searches.
@@ -80,6 +93,7 @@ pub struct HairPairs {
     wisps: Vec<Wisp>,
     activation: f64,
     margin: f64,
+    held_roots: HeldRoots,
     pieces: Pieces,
     knots: Knots,
     grid: Grid,
@@ -138,7 +152,8 @@ impl HairPairs {
         }
         self.wisps.clear();
         self.wisps.extend_from_slice(wisps);
-        (self.activation, self.margin, self.validity) = (options.activation, options.margin, Validity::None);
+        (self.activation, self.margin, self.held_roots) = (options.activation, options.margin, options.held_roots);
+        self.validity = Validity::None;
         // The ties were those of other strands.
         self.knots.set(&[], 0, |_| 0.0)
     }
@@ -347,11 +362,6 @@ impl HairPairs {
         self.found_roots.clone_from(&self.roots[1]);
         self.counts.searches += 1;
         self.group();
-    }
-
-    /// Gaps up to this are contacts, m.
-    pub fn activation(&self) -> f64 {
-        self.activation
     }
 
     /// Pairs of strands that may be in contact, by first and second strand. Valid until the next search.

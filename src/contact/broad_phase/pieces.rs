@@ -42,6 +42,14 @@ impl Wisp {
         check_not_negative(|| format!("{}.exempt", name()), self.exempt)
     }
 
+    /// The length from both roots up to which this strand and another do not touch, m: the sum of their radii if the roots are closer than
+    /// that, else 0. `apart`: the distance of the roots, m. Roots are held where they are, and next to them no force of hair's size moves
+    /// anything.
+    pub fn held_length(&self, other: &Wisp, apart: f64) -> f64 {
+        let radii = self.radius + other.radius;
+        if apart < radii { radii } else { 0.0 }
+    }
+
     pub(in crate::contact) fn meets(&self, other: &Wisp) -> bool {
         self.group & other.mask != 0 && other.group & self.mask != 0
     }

@@ -13,9 +13,12 @@ use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoi
 
 /// Contacts closer to each other along both strands than this fraction of the sum of the radii are one.
 const MERGED: f64 = 0.25;
-/// Centrelines that come closer than this fraction of the sum of the radii while their normal turns round have crossed;
-/// centrelines that were closer when the step began were inside each other, and have no side to keep.
+/// Centrelines that come closer than this fraction of the sum of the radii (of what permitted overlaps leave of it) while their normal turns
+/// round have crossed; centrelines that were closer when the step began were inside each other, and have no side to keep.
 const CROSSED: f64 = 0.5;
+/// Of the sum of the radii at least this fraction counts for that, even where permitted overlaps leave less: strands that may lie in each
+/// other have no sides.
+const LEAST_KEPT: f64 = 0.2;
 
 /// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
 const ALONG: f64 = 0.0625;
@@ -63,6 +66,8 @@ struct Found {
     /// Unit, from the second point to the first.
     normal: Vector3<f64>,
     gap: f64,
+    /// The distance that the centrelines keep here, m.
+    radii: f64,
     along: [f64; 2],
     /// The strands crossed here, and the contact keeps the initial side.
     crossed: bool,
@@ -125,11 +130,20 @@ pub struct TwoStrands<'a> {
     pub within: f64,
     /// The rotation of the common motion of all strands since the start of the step.
     pub turned: Matrix3<f64>,
+    /// Places less far along both than this do not touch, m, see [`Wisp::held_length`].
+    pub held: f64,
 }
 
 impl TwoStrands<'_> {
+    /// The sum of the radii, m.
     fn radii(&self) -> f64 {
         self.wisp_a.radius + self.wisp_b.radius
+    }
+
+    /// What permitted overlaps leave of it at these arclengths from the roots (m), m.
+    fn radii_at(&self, along: [f64; 2]) -> f64 {
+        let left = |path: &StrandPath, along: f64| path.permitted_overlap.map_or(1.0, |overlap| overlap.wisp_fraction(along));
+        self.wisp_a.radius * left(self.a, along[0]) + self.wisp_b.radius * left(self.b, along[1])
     }
 
     /// Appends the contacts of the strands to `out`, by arclength of the first (and then of the partner). `candidates` are the
@@ -230,7 +244,8 @@ impl TwoStrands<'_> {
     /// The initial normal, if the centrelines have crossed since: the normal turned round, and they came closer than half the
     /// sum of the radii.
     fn side_kept(&self, a: &MovingPiece, b: &MovingPiece, near: &PointPair, motion: f64) -> Option<Vector3<f64>> {
-        let inside = CROSSED * self.radii();
+        let kept = self.radii_at([a.along(near.s[0]), b.along(near.s[1])]).max(LEAST_KEPT * self.radii());
+        let inside = CROSSED * kept;
         if near.apart.norm() > motion + inside {
             return None;
         }
@@ -264,6 +279,8 @@ impl TwoStrands<'_> {
             if (along[0] - along[1]).abs() < half_turn {
                 return;
             }
+        } else if along[0].max(along[1]) < self.held {
+            return;
         }
         let now = direction(near);
         let points = [
@@ -275,8 +292,12 @@ impl TwoStrands<'_> {
             Some(side) if side.dot(&now) <= 0.0 => side,
             _ => now,
         };
-        let gap = normal.dot(&near.apart) - self.radii();
-        found.push(Found { points, normal, gap, along, crossed: side.is_some() });
+        let radii = self.radii_at(along);
+        let gap = normal.dot(&near.apart) - radii;
+        let crossed = side.is_some();
+        if crossed || gap <= self.within {
+            found.push(Found { points, normal, gap, radii, along, crossed });
+        }
     }
 
     /// Whether two points were where they are `now` when the step began, and not on `side`: they have not crossed. (Strands
@@ -289,9 +310,8 @@ impl TwoStrands<'_> {
 
     /// Contacts beside a crossing lie on the same side as it: their pieces may have come near after it.
     fn keep_sides_beside(&self, found: &mut [Found]) {
-        let radii = self.radii();
         for index in 0..found.len() {
-            let Found { points, normal: now, gap, along, crossed } = found[index];
+            let Found { points, normal: now, gap, radii, along, crossed } = found[index];
             if crossed {
                 continue;
             }

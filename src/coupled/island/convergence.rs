@@ -12,7 +12,7 @@ const BILATERAL_TOLERANCE: f64 = 1e-10;
 /// The distance of an element from convergence that a rough solve leaves, rad; the same for the penalty models.
 const ROUGH_TOLERANCE: f64 = 1e-3;
 const SOFT_TOLERANCE: f64 = 2e-3;
-/// Iterations in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
+/// Iterations of all strands in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
 /// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
 /// is ended.
 const PATIENCE: [u32; 3] = [5, 15, 25];
@@ -64,6 +64,10 @@ impl Island {
                     self.rouse(index, strands, options, step);
                 }
                 let Standing { law_residual, holds, nearly, .. } = self.constraints[index].standing;
+                if !holds && !self.constraints[index].is_dormant() {
+                    // Its strands all rest, and nothing else would wake them.
+                    self.constraints[index].standing.wakes = [true; 2];
+                }
                 (good, enough) = (good && holds, enough && nearly);
                 rested = rested.max(law_residual);
                 continue;
@@ -97,9 +101,11 @@ impl Island {
             self.constraints[index].may_sleep(&law, &u, moved);
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
         }
+        let moving = self.strands.iter().filter(|strand| !strands[**strand as usize].rest.is_resting()).count();
+        self.progress.spent += if self.progress.is_solved { moving as f64 / self.strands.len() as f64 } else { 1.0 };
         let left = (residual / tolerance).max(self.progress.ending.residual / ROUGH);
         if left < 0.5 * self.progress.best.0 {
-            self.progress.best = (left, self.progress.iterations);
+            self.progress.best = (left, self.progress.spent);
         }
         let open = self.strands.iter().filter(|strand| strands[**strand as usize].residual > tolerance).count()
             + self
@@ -108,7 +114,7 @@ impl Island {
                 .filter(|constraint| !constraint.standing.holds || constraint.standing.wakes != [false; 2])
                 .count();
         if open < self.progress.fewest.0.div_ceil(2) {
-            self.progress.fewest = (open, self.progress.iterations);
+            self.progress.fewest = (open, self.progress.spent);
         }
         // Resting constraints are reported as well, but nothing waits for them.
         self.progress.ending.residual = self.progress.ending.residual.max(rested);
@@ -121,8 +127,8 @@ impl Island {
         let waits_only = good && wakes_some;
         let got_on = self.progress.best.1.max(self.progress.fewest.1);
         let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
-        let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
-        let slow = !waits_only && !self.has_bilateral() && self.progress.iterations >= got_on + patience;
+        let patience = f64::from(PATIENCE[if enough { 0 } else { 2 - usize::from(large) }]);
+        let slow = !waits_only && !self.has_bilateral() && self.progress.spent >= got_on + patience;
         let stuck = slow || beyond || self.has_bilateral() && self.progress.idle > IDLE;
         let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
         // One contact slightly beyond the rough tolerance says nothing about the end.

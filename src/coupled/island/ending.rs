@@ -130,7 +130,7 @@ impl Island {
     pub fn go_on(&mut self) {
         (self.phase, self.progress.rest) = (self.phase.resumed(), -1.0);
         self.progress.ending.lower_to(Outcome::GoodEnough);
-        self.begin_to_count(self.progress.iterations);
+        self.begin_to_count();
     }
 
     /// Leaves it as it ended: nothing in it has changed, and it would end the same way.
@@ -183,7 +183,7 @@ impl Island {
             // The normals of bodies stay as they are.
             (self.progress.iterations, self.progress.ending.attempt) = (LOOKS, Attempt::Yielding);
             self.phase = self.phase.resumed();
-            self.begin_to_count(LOOKS);
+            self.begin_to_count();
             return Next::GoesOn;
         }
         if !forgives {
@@ -193,7 +193,7 @@ impl Island {
         self.progress.ending.attempt = if forgives { Attempt::YieldingFromStart } else { Attempt::Relaxed };
         self.progress.iterations = 0;
         self.phase = if forgives { self.phase.resumed() } else { Phase::Full };
-        self.begin_to_count(0);
+        self.begin_to_count();
         for constraint in &mut self.constraints {
             (constraint.force, constraint.pushed) = (Vector3::zeros(), 0.0);
             constraint.wake();

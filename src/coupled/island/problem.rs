@@ -123,6 +123,7 @@ impl Island {
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
         self.progress.report = solver.solve_by(space, &settings, forces, workers, meter);
+        self.progress.is_solved = self.progress.report.residual <= tolerance;
         self.sweeps += self.progress.report.sweeps;
         meter.spend(self.progress.report.work);
         if meter.is_halted() {

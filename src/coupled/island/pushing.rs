@@ -50,7 +50,7 @@ impl Island {
             constraint.standing.wakes = [true; 2];
         }
         self.progress.pushed = (deepest, times + 1);
-        self.begin_to_count(self.progress.iterations);
+        self.begin_to_count();
         true
     }
 }

@@ -173,7 +173,7 @@ impl Search {
         state.depth = 0.0;
         if let Some(obstacles) = &task.obstacles {
             let curve = |elements| StrandCurve { origin: task.origin, elements };
-            let path = StrandPath { index: 0, start: curve(&self.start), now: curve(&state.elements) };
+            let path = StrandPath { index: 0, start: curve(&self.start), now: curve(&state.elements), permitted_overlap: None };
             self.bounds.update(&path);
             let (span, distance, within) = (obstacles.span, obstacles.distance, NEAR * task.length);
             for body in obstacles.bodies {

@@ -1,6 +1,6 @@
 //! The contacts of a pair of strands, from the candidates of the last search.
 
-use super::{Group, HairPairs};
+use super::{Group, HairPairs, HeldRoots};
 use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoint};
 use crate::contact::narrow_phase::strand_contacts::{Encounter, MovingPiece, PairScratch, TwoStrands};
 
@@ -32,11 +32,17 @@ impl HairPairs {
             moving(&all.pieces[piece], [node, node + 1], self.now.sagittas[piece])
         };
         let piece_of = |chord: u32| all.chords[chord as usize].piece;
+        let [a, b] = [group.a, group.b].map(|strand| &strands[strand as usize]);
+        let [wisp_a, wisp_b] = [group.a, group.b].map(|strand| &self.wisps[strand as usize]);
         let two = TwoStrands {
-            a: &strands[group.a as usize],
-            b: &strands[group.b as usize],
-            wisp_a: &self.wisps[group.a as usize],
-            wisp_b: &self.wisps[group.b as usize],
+            a,
+            b,
+            wisp_a,
+            wisp_b,
+            held: match self.held_roots {
+                HeldRoots::Ignored => wisp_a.held_length(wisp_b, (a.now.left_end(0) - b.now.left_end(0)).norm()),
+                HeldRoots::Counted => 0.0,
+            },
             within: within.min(self.activation),
             turned: self.turned,
         };
@@ -64,7 +70,11 @@ impl HairPairs {
             if let Partner::Strand(other) = &contact.partner {
                 let along = [along(group.a, &contact.point), along(group.b, other)];
                 let Some(fraction) = self.knots.fraction_left([group.a, group.b], along, radii) else { continue };
-                contact.gap += (1.0 - fraction) * radii;
+                let at =
+                    |strand: u32, place: &StrandPoint| strands[strand as usize].now.position(place.element as usize, place.s);
+                let apart = at(group.a, &contact.point) - at(group.b, other);
+                // Permitted overlaps may leave less.
+                contact.gap = contact.gap.max(contact.normal.dot(&apart) - fraction * radii);
                 if fraction < 1.0 && contact.gap > within {
                     continue;
                 }
