@@ -1048,8 +1048,7 @@ struct strand_contact : shx_strand_contact {
   }
 
   // Contact radius against other strands, m: that of the wisp which the strand represents; zero or above. Default 0: no contact with
-  // strands. Strands whose roots are closer than the sum of their radii touch only beyond that length from their roots: you place these,
-  // and no force parts them there.
+  // strands.
   strand_contact &with_wisp_radius(double value) {
     wisp_radius = value;
     return *this;

@@ -645,8 +645,7 @@ namespace Superhelix
     public double Radius;
     /// <summary>
     /// Contact radius against other strands, m: that of the wisp which the strand represents; zero or above. Default 0: no contact with
-    /// strands. Strands whose roots are closer than the sum of their radii touch only beyond that length from their roots: you place these,
-    /// and no force parts them there.
+    /// strands.
     /// </summary>
     public double WispRadius;
     /// <summary>Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2.</summary>
