@@ -1846,7 +1846,8 @@ typedef struct shx_strand_contact {
   // Contact radius against bodies, m; zero or above. Default 50e-6.
   double radius;
   // Contact radius against other strands, m: that of the wisp which the strand represents;
-  // zero or above. Default 0: no contact with strands.
+  // zero or above. Default 0: no contact with strands. Strands whose roots are closer than the sum of
+  // their radii touch only beyond that length from their roots: no force parts them there.
   double wisp_radius;
   // Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2.
   double friction_along;

@@ -1048,7 +1048,8 @@ struct strand_contact : shx_strand_contact {
   }
 
   // Contact radius against other strands, m: that of the wisp which the strand represents; zero or above. Default 0: no contact with
-  // strands.
+  // strands. Strands whose roots are closer than the sum of their radii touch only beyond that length from their roots: no force parts them
+  // there.
   strand_contact &with_wisp_radius(double value) {
     wisp_radius = value;
     return *this;

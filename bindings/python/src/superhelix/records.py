@@ -773,7 +773,8 @@ class StrandContact(Record):
     radius = FloatField("Contact radius against bodies, m; zero or above. Default 50e-6.")
     wisp_radius = FloatField(
         "Contact radius against other strands, m: that of the wisp which the strand represents; zero or above. Default 0: no "
-        "contact with strands."
+        "contact with strands. Strands whose roots are closer than the sum of their radii touch only beyond that length from "
+        "their roots: no force parts them there."
     )
     friction_along = FloatField(
         "Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2."

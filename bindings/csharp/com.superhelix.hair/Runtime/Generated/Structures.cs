@@ -645,7 +645,8 @@ namespace Superhelix
     public double Radius;
     /// <summary>
     /// Contact radius against other strands, m: that of the wisp which the strand represents; zero or above. Default 0: no contact with
-    /// strands.
+    /// strands. Strands whose roots are closer than the sum of their radii touch only beyond that length from their roots: no force parts
+    /// them there.
     /// </summary>
     public double WispRadius;
     /// <summary>Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2.</summary>
