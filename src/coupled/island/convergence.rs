@@ -15,7 +15,7 @@ const SOFT_TOLERANCE: f64 = 2e-3;
 /// Iterations of all strands in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
 /// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
 /// is ended.
-const PATIENCE: [u32; 3] = [5, 15, 25];
+const PATIENCE: [f64; 3] = [5.0, 15.0, 25.0];
 /// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
 /// tolerance; of a bilateral constraint, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
@@ -127,7 +127,7 @@ impl Island {
         let waits_only = good && wakes_some;
         let got_on = self.progress.best.1.max(self.progress.fewest.1);
         let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
-        let patience = f64::from(PATIENCE[if enough { 0 } else { 2 - usize::from(large) }]);
+        let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
         let slow = !waits_only && !self.has_bilateral() && self.progress.spent >= got_on + patience;
         let stuck = slow || beyond || self.has_bilateral() && self.progress.idle > IDLE;
         let diverged = self.strands.iter().all(|strand| strands[*strand as usize].step.outcome.quarantined);
