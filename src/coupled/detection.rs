@@ -41,6 +41,8 @@ const MARGIN: f64 = 0.5;
 /// Surfaces count as overlapping at the start of a step if they are this many tolerances deep: more than the end of a step
 /// leaves.
 const DEEP: f64 = 2.0;
+/// Depth to which two strands in contact yield under the weight of the heavier one, in tolerances.
+const YIELDS_TO_WEIGHT: f64 = 0.01;
 /// The largest depth in a body at which a strand is looked for at the start of a substep, m.
 const DEEPEST: f64 = 0.1;
 /// A strand that has moved by less than this fraction of the contact tolerance since its last search is not searched again.
@@ -253,7 +255,11 @@ impl ContactDetection {
                     let apart = strand.end_state(&first.material_point).now - other.end_state(&second.material_point).now;
                     contact.normal.dot(&apart) - contact.gap
                 };
-                let kind = ConstraintKind::Hair { normal: contact.normal, margin };
+                // The weight of the heavier one: a light stub would let a lock sink into it.
+                let weight = strand.mass.max(other.mass) * GRAVITY;
+                let compliance =
+                    if stepping.options.model.is_soft() { 0.0 } else { YIELDS_TO_WEIGHT * stepping.options.tolerance / weight };
+                let kind = ConstraintKind::Hair { normal: contact.normal, margin, compliance };
                 (Some(second), kind, With::Strand(other.index))
             }
         };
@@ -267,7 +273,9 @@ impl ContactDetection {
             && contact.gap > 0.0
             && force.norm_squared() <= (LEFT_OVER * stepping.options.residual * lightest * GRAVITY).powi(2);
         let force = if force.dot(&contact.normal) > 0.0 && !is_left_over { force } else { Vector3::zeros() };
-        StepConstraint { gap: contact.gap, deep, ..StepConstraint::new(first, second, kind, force) }
+        let constraint = StepConstraint { gap: contact.gap, deep, ..StepConstraint::new(first, second, kind, force) };
+        // At rest nothing yields.
+        StepConstraint { pushed: constraint.compliance() * constraint.pressure(), ..constraint }
     }
 
     /// Whether the surfaces of a contact overlapped when the substep began.

@@ -72,6 +72,8 @@ pub struct Progress {
     pub report: Report,
     /// Whether that problem was solved as exactly as asked for.
     pub is_solved: bool,
+    /// The largest residual of its constraints' laws at the iterate to which its solution led.
+    law_residual: f64,
     /// Newton iterations so far.
     pub iterations: u32,
     /// How the iteration ended, or its present state.
@@ -99,6 +101,7 @@ impl Default for Progress {
         Self {
             report: Report::default(),
             is_solved: false,
+            law_residual: 0.0,
             iterations: 0,
             ending: Ending::default(),
             kinked: 0,
@@ -313,6 +316,11 @@ impl Island {
         let a = first.place(ends[0].point);
         let b = constraint.second.map_or(a, |_| second.place(ends[1].point));
         let (mut law, mut u) = constraint.evaluate([a, b], [&first.contact, &second.contact], options, step);
+        if let (true, Law::Contact(contact)) = (constraint.is_compliant(), &mut law) {
+            contact.response = Response::spring(constraint.compliance());
+            constraint.off = -u.dot(&contact.normal);
+            u -= contact.normal * constraint.pushed;
+        }
         if relaxed || constraint.deep || constraint.give == Give::ALittle {
             let part = if relaxed || constraint.deep { RELAXED } else { YIELDS };
             let compliance = part * step * step / first.mass.min(second.mass);

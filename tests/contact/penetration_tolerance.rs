@@ -319,3 +319,46 @@ fn the_reported_depth_of_hair_in_hair_is_that_of_the_strands_not_of_their_contac
         assert!(failed > 5, "{failed}");
     }
 }
+
+/// Strands that cross near their roots press each other with forty times their weight, at once or little by little, and overlap by no more than a
+/// fifth of the tolerance; those at rest by nothing.
+#[test]
+fn strands_that_press_each_other_hard_do_not_sink_in() {
+    for steps in [1, 30] {
+        let mut options = SolverOptions::default();
+        options.contact.hair = true;
+        let mut solver = Solver::new(options).unwrap();
+        let (radius, side) = (2e-4, 0.008);
+        let def = |origin: Vector3<f64>, turn: f64| {
+            let mut def = StrandDef::straight(0.05, 8);
+            def.root = Frame { origin, rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn) };
+            def
+        };
+        // One along x, and one along y over it.
+        let begins = Vector3::new(side, -side, 2.05 * radius);
+        let defs = [def(Vector3::zeros(), 0.0), def(begins, 0.5 * PI)];
+        let weight = 9.81 * defs[0].material.linear_density() * defs[0].length();
+        let ids = solver.add_strands(&defs).unwrap();
+        let contact = StrandContact { wisp_radius: radius, ..StrandContact::default() };
+        solver.set_contact(&ids, Some(&contact)).unwrap();
+        let mut largest = 0.0_f64;
+        for step in 1..=90 {
+            let down = 0.004 * (f64::from(step) / f64::from(steps)).min(1.0);
+            let frame = Frame { origin: begins - Vector3::z() * down, ..defs[1].root };
+            solver.set_root_frames(&ids[1..], &[frame], 1.0 / 60.0).unwrap();
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            assert_eq!(report.unconverged, 0, "{steps} steps, in {step}: {report:?}");
+            assert!(
+                report.contact.penetration <= 0.2 * ContactOptions::default().tolerance,
+                "{steps} steps, in {step}: {report:?}"
+            );
+            let forces = solver.contacts().iter().map(|contact| contact.force.norm());
+            largest = largest.max(forces.fold(0.0, f64::max) / weight);
+            if step == 90 {
+                assert!(report.contact.penetration < 1e-8 && !solver.contacts().is_empty(), "{report:?}");
+            }
+        }
+        println!("in {steps} steps: up to {largest:.0} weights");
+        assert!(largest > 35.0, "{largest}");
+    }
+}

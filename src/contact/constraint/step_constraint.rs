@@ -71,6 +71,8 @@ pub enum ConstraintKind {
         normal: Vector3<f64>,
         /// Sum of both radii, m.
         margin: f64,
+        /// With which the surfaces yield until they are pushed apart (`pushing.rs`), m/N; zero with penalties.
+        compliance: f64,
     },
     /// A point fixed in the world.
     Pin {
@@ -207,6 +209,19 @@ impl StepConstraint {
             modelled: [true; 2],
             standing: Standing::UNKNOWN,
         }
+    }
+
+    /// The compliance with which it yields although it is to hold, m/N; zero: it does not.
+    pub fn compliance(&self) -> f64 {
+        match self.kind {
+            ConstraintKind::Hair { compliance, .. } if !self.deep && self.give == Give::No => compliance,
+            _ => 0.0,
+        }
+    }
+
+    /// Whether it yields although it is to hold: until it is pushed, see [`StepConstraint::off`].
+    pub fn is_compliant(&self) -> bool {
+        self.compliance() > 0.0
     }
 
     /// Whether it is left out of contact problems.

@@ -1,6 +1,7 @@
 //! All contacts of one block (a strand, or strands joined by bilateral constraints) at once, with those of other blocks fixed:
 //! a semismooth Newton iteration on the laws' equations ([`crate::contact::constraint::law::linear`]) with a line search, and Gauss–Seidel sweeps
-//! inside the block where that makes no progress.
+//! inside the block where that makes no progress. What it cannot solve, since friction jams it, goes to an interior-point method
+//! (`interior_point.rs`).
 //!
 //! Contacts near each other on one strand move nearly alike, so that a sweep over contacts exchanges force between them in tiny
 //! fractions (1e-3 and less per sweep); a joint solve finds what they have in common at once.
@@ -10,8 +11,10 @@ use nalgebra::{Matrix3, Vector3};
 use super::contact_space::ContactSpace;
 use super::dense;
 use super::gauss_seidel::Report;
+use super::interior_point::{InteriorPoint, Jammed, suitable};
 use super::system::System;
 use crate::contact::constraint::law::LawSolve;
+use crate::contact::constraint::law::contact::Contact;
 use crate::contact::constraint::law::linear::Linear;
 use crate::meter::Meter;
 
@@ -33,6 +36,9 @@ const STEPS: u32 = 8;
 const LARGE: usize = 100;
 /// Sweeps in the block where Newton's direction leads nowhere.
 const SWEEPS: u32 = 4;
+
+/// Contacts up to this number that it cannot solve go to the interior-point method: its cost grows with their cube.
+const FEW: usize = 40;
 
 /// Costs in nanoseconds or so: of a row's law and its preparation; of a row in another's column of K; and the number of
 /// multiplications of an elimination per nanosecond.
@@ -75,6 +81,9 @@ pub(in crate::contact) struct BlockNewton {
     matrix: Vec<f64>,
     rhs: Vec<f64>,
     best: Vec<Vector3<f64>>,
+    interior_point: InteriorPoint,
+    laws: Vec<Contact>,
+    unconstrained: Vec<Vector3<f64>>,
 }
 
 impl BlockNewton {
@@ -142,6 +151,37 @@ impl BlockNewton {
             } else if k >= until.max(halved.1 + STEPS) {
                 break;
             }
+        }
+        if best > tolerance && m <= FEW {
+            self.unjam(space, system, report, Goal { tolerance, part: best, max_work }, meter);
+        }
+    }
+
+    /// Solves by the interior-point method, and keeps the result if it leaves less than `goal.part`.
+    fn unjam(&mut self, space: &ContactSpace, system: &System, report: &Report, goal: Goal, meter: &Meter) {
+        let law_of = |row: &u32| suitable(&space.constraints()[system.rows[*row as usize].constraint].law);
+        self.laws.clear();
+        self.laws.extend(self.rows.iter().map_while(law_of));
+        let m = self.rows.len();
+        if self.laws.len() < m || self.work >= goal.max_work {
+            return;
+        }
+        for column in 0..m {
+            self.need(space, system, column);
+        }
+        self.unconstrained.clone_from(&self.moved);
+        for i in 0..m {
+            for j in 0..m {
+                let by_force = self.block(i, j) * self.forces[j];
+                self.unconstrained[i] -= by_force;
+            }
+        }
+        let Self { interior_point, laws, unconstrained, coupling, .. } = self;
+        let jammed = Jammed { laws, unconstrained, coupling, step: space.step() };
+        let left = interior_point.solve(jammed, report, goal.tolerance, goal.max_work - self.work, meter);
+        self.work += interior_point.work;
+        if left < goal.part {
+            self.best.clone_from(&self.interior_point.forces);
         }
     }
 

@@ -129,6 +129,93 @@ fn subtract(row: &mut [f64], panel: &[f64], from: usize, to: usize) {
     }
 }
 
+/// A matrix factorised with partial pivoting, for several right-hand sides. Memory is kept.
+#[derive(Debug, Clone, Default)]
+pub(in crate::contact) struct Factors {
+    /// Rows in the order of their pivots: the factors left of the diagonal, and what is left of the matrix.
+    rows: Vec<f64>,
+    /// For each pivot the row that was exchanged with its own.
+    exchanged: Vec<usize>,
+}
+
+impl Factors {
+    /// Factorises `n`² numbers, row after row. False where the matrix is singular to the last bit.
+    pub fn factorise(&mut self, a: &[f64], n: usize) -> bool {
+        self.rows.clear();
+        self.rows.extend_from_slice(a);
+        self.exchanged.clear();
+        f64::call(Factorise { factors: self, n })
+    }
+
+    /// Solves A x = b: `b` becomes x.
+    pub fn solve(&self, b: &mut [f64]) {
+        f64::call(Substitute { factors: self, b });
+    }
+}
+
+struct Factorise<'a> {
+    factors: &'a mut Factors,
+    n: usize,
+}
+
+impl Kernel for Factorise<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn run(self) -> bool {
+        let Self { factors: Factors { rows, exchanged }, n } = self;
+        for k in 0..n {
+            let best = (k + 1..n).fold(k, |best, i| if rows[i * n + k].abs() > rows[best * n + k].abs() { i } else { best });
+            exchanged.push(best);
+            if best != k {
+                let (upper, lower) = rows.split_at_mut(best * n);
+                upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
+            }
+            let pivot = rows[k * n + k];
+            if pivot.is_nan() || pivot == 0.0 {
+                return false;
+            }
+            let (upper, lower) = rows.split_at_mut((k + 1) * n);
+            let row = &upper[k * n + k + 1..];
+            for below in lower.chunks_exact_mut(n) {
+                let factor = below[k] / pivot;
+                below[k] = factor;
+                if factor != 0.0 {
+                    for (x, y) in below[k + 1..].iter_mut().zip(row) {
+                        *x -= factor * y;
+                    }
+                }
+            }
+        }
+        true
+    }
+}
+
+struct Substitute<'a> {
+    factors: &'a Factors,
+    b: &'a mut [f64],
+}
+
+impl Kernel for Substitute<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { factors: Factors { rows, exchanged }, b } = self;
+        let n = b.len();
+        for (k, other) in exchanged.iter().enumerate() {
+            b.swap(k, *other);
+        }
+        for k in 0..n {
+            let known: f64 = rows[k * n..k * n + k].iter().zip(&*b).map(|(x, y)| x * y).sum();
+            b[k] -= known;
+        }
+        for k in (0..n).rev() {
+            let row = &rows[k * n..(k + 1) * n];
+            let known: f64 = row[k + 1..].iter().zip(&b[k + 1..]).map(|(x, y)| x * y).sum();
+            b[k] = (b[k] - known) / row[k];
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,6 +259,12 @@ mod tests {
             assert!(solve(&mut left, &mut x, &Meter::unlimited()));
             plain(&mut other_left, &mut other);
             assert_eq!(x, other, "{n}");
+            let (mut factors, mut again) = (Factors::default(), b.clone());
+            assert!(factors.factorise(&a, n));
+            factors.solve(&mut again);
+            for (x, again) in x.iter().zip(&again) {
+                assert!((x - again).abs() < 1e-9 * (1.0 + x.abs()), "{n}: {x} {again}");
+            }
             for (row, b) in a.chunks_exact(n).zip(&b) {
                 let sum: f64 = row.iter().zip(&x).map(|(a, x)| a * x).sum();
                 let scale: f64 = row.iter().zip(&x).map(|(a, x)| (a * x).abs()).sum::<f64>() + b.abs();
@@ -186,5 +279,6 @@ mod tests {
         let mut a: Vec<f64> = (0..n * n).map(|k| ((k / n) % 5) as f64 + (k % n) as f64).collect();
         assert!(!solve(&mut a, &mut vec![1.0; n], &Meter::unlimited()));
         assert!(!solve(&mut [f64::NAN], &mut [1.0], &Meter::unlimited()));
+        assert!(!Factors::default().factorise(&[1.0, 2.0, 2.0, 4.0], 2));
     }
 }

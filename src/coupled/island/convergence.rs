@@ -3,7 +3,7 @@
 use super::ending::Outcome;
 use super::{DIVERGED, FEW, Island, ROUGH};
 use crate::contact::constraint::law::Law;
-use crate::contact::constraint::step_constraint::{Give, Standing};
+use crate::contact::constraint::step_constraint::{Give, Standing, StepConstraint};
 use crate::contact::options::{ContactOptions, MAX_CHOSEN_ITERATIONS};
 use crate::coupled::constrained_strand::Strands;
 
@@ -34,6 +34,9 @@ const CANNOT_HOLD: f64 = 1e12;
 const IDLE: u32 = 5;
 const STILL: f64 = 1e-2;
 const HOPELESS: f64 = 0.1;
+
+/// A contact that has been pushed as far as it went holds if it is off by this many times what it is to be.
+const TIGHT: f64 = 2.0;
 
 /// A strand may rest if it is closer to convergence than this fraction of the tolerance, until changed forces would move it by
 /// more than that (an element's length times the angle).
@@ -86,7 +89,8 @@ impl Island {
                 }
                 Law::Ring(_) => (constraint.gap <= BILATERAL_TOLERANCE, constraint.gap <= ENOUGH_BILATERAL),
                 Law::Contact(contact) => {
-                    let gap = if soft || constraint.deep || constraint.give != Give::No { 0.0 } else { u.dot(&contact.normal) };
+                    let yields = soft || constraint.deep || constraint.give != Give::No;
+                    let gap = if yields { 0.0 } else { contact.gap(&u, &constraint.force, step) };
                     let exact = soft || constraint.give == Give::Much || law_residual <= asked;
                     let outside = self.phase.is_rough() || is_outside(gap, options);
                     (outside && exact, is_nearly_outside(gap, options))
@@ -116,6 +120,7 @@ impl Island {
         if open < self.progress.fewest.0.div_ceil(2) {
             self.progress.fewest = (open, self.progress.spent);
         }
+        self.progress.law_residual = self.progress.ending.residual;
         // Resting constraints are reported as well, but nothing waits for them.
         self.progress.ending.residual = self.progress.ending.residual.max(rested);
         let beyond = self.is_beyond_measure(strands, step);
@@ -143,7 +148,9 @@ impl Island {
         let is_far = |strand: &u32| strands[*strand as usize].residual > DIVERGED;
         // An island with yielding constraints has not converged, whatever its residual.
         self.progress.ending.outcome = match () {
-            () if (good || chosen) && self.constraints.iter().all(|constraint| constraint.give == Give::No) => Outcome::Converged,
+            () if (good || chosen) && self.constraints.iter().all(|constraint| constraint.is_tight(options)) => {
+                Outcome::Converged
+            }
             () if good => Outcome::AttemptConverged,
             () if ends && (enough || chosen) => Outcome::GoodEnough,
             () if ends && self.is_relaxed() && self.strands.iter().any(is_far) => Outcome::Diverged,
@@ -160,6 +167,13 @@ impl Island {
         let usual = self.usual_force(strands, step);
         largest(true) > NO_SOLUTION * usual
             || self.has_bilateral() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands))
+    }
+}
+
+impl StepConstraint {
+    /// Whether it does not yield, or has been pushed to within a part of the tolerance.
+    fn is_tight(&self, options: &ContactOptions) -> bool {
+        self.give == Give::No && !(self.is_compliant() && self.off_by(options.tolerance) > TIGHT)
     }
 }
 

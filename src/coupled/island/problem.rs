@@ -118,7 +118,7 @@ impl Island {
         let deserved = match self.progress.iterations {
             _ if self.included.len() <= SMALL && longest <= GENTLE * self.shortest_element(strands) => 0.0,
             1 => FIRST * size,
-            _ => (FIRST * size).min(FORCING * self.progress.ending.residual),
+            _ => (FIRST * size).min(FORCING * self.progress.law_residual),
         };
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };

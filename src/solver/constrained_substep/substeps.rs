@@ -96,6 +96,10 @@ impl ConstrainedSubstep {
                 substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
             }
             if !some_go_back {
+                if let (false, Some(shorter)) = (scene.is_nested, self.shorter.as_deref_mut()) {
+                    // The gap at the place where a contact was found may be deeper than the search says.
+                    shorter.contacts.iter_mut().for_each(|contact| contact.gap = contact.gap.max(-substeps.reported.penetration));
+                }
                 return substeps;
             }
             // The others repeat their substeps: some of the strands that they met now end elsewhere.

@@ -55,11 +55,28 @@ impl Contact {
         }
     }
 
+    /// Two unit tangents, across each other.
+    pub(in crate::contact) fn tangents(&self) -> [Vector3<f64>; 2] {
+        across(&self.normal)
+    }
+
+    /// What a linear response adds to the gap: m per N of normal force, and m without force.
+    pub(in crate::contact) fn compliance_and_shift(&self, step: f64) -> (f64, f64) {
+        let depth = self.response.depth(step);
+        (depth.compliance(), depth.shift)
+    }
+
+    /// The gap at the displacement `u`, m, where the surfaces yield to `force` as its response says: below zero only for what is
+    /// deeper.
+    pub fn gap(&self, u: &Vector3<f64>, force: &Vector3<f64>, step: f64) -> f64 {
+        u.dot(&self.normal) + self.response.depth(step).at(force.dot(&self.normal).max(0.0))
+    }
+
     /// See [`super::Law::residual`].
     pub(super) fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, step: f64, length: f64, force: f64) -> f64 {
         let (u_n, lambda_n) = (u.dot(&self.normal), lambda.dot(&self.normal));
         let depth = self.response.depth(step);
-        let gap = u_n + depth.at(lambda_n.max(0.0));
+        let gap = self.gap(&u, &lambda, step);
         // By the force or by the depth, whichever is nearer: the depth of a soft spring cannot be had from a force of a
         // rounding, nor the force of a hard one from a depth.
         let by_force = (lambda_n - depth.pressed(-u_n)).abs() / force;

@@ -40,6 +40,15 @@ pub(super) struct Depth {
 }
 
 impl Response {
+    /// A spring of this compliance, m/N; hard if it is zero.
+    pub fn spring(compliance: f64) -> Self {
+        if compliance > 0.0 {
+            Self::Penalty { stiffness: 1.0 / compliance, damping: 0.0, depth_at_start: 0.0 }
+        } else {
+            Self::Hard
+        }
+    }
+
     pub(super) fn check(&self, argument: impl Display) -> Result<()> {
         match *self {
             Response::Hard => Ok(()),

@@ -38,7 +38,7 @@ impl StepConstraint {
                 };
                 self.contact_law(normal, gap, start_gap, slip, friction, options, step)
             }
-            ConstraintKind::Hair { normal, margin } => {
+            ConstraintKind::Hair { normal, margin, .. } => {
                 let slip = (a.now - a.start) - (b.now - b.start);
                 let gap = normal.dot(&(a.now - b.now)) - margin;
                 let start_gap = gap - normal.dot(&slip);
