@@ -6,6 +6,10 @@
 //! 2008, chapter 13): y = M x + b + |y_t| e is solved with it by a primal-dual method with the scaling of Nesterov and Todd and the predictor
 //! and corrector of Mehrotra. The term |y_t| makes the problem non-convex: its derivative is left out of an iteration whose last step was
 //! short, without which the method gets stuck at the boundary.
+//!
+//! Files:
+//!
+//! - `tests.rs`: Contacts that friction jams, and what is known in closed form.
 
 use nalgebra::{Matrix3, Vector3};
 
