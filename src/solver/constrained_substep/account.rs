@@ -97,6 +97,7 @@ impl ConstrainedSubstep {
             contact.residual = contact.residual.max(island.progress.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
             let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
+            let unsearched = if scene.options.model.is_soft() { 0.0 } else { scene.options.tolerance };
             for constraint in &island.constraints {
                 match constraint.bilateral() {
                     Some(index) => {
@@ -105,7 +106,9 @@ impl ConstrainedSubstep {
                         scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
-                        if !was_searched {
+                        // (A search tells only what is deeper than the tolerance.)
+                        let was_measured = was_searched && -constraint.gap > unsearched;
+                        if !was_measured {
                             contact.penetration = contact.penetration.max(depth(constraint, strands, scene.options.tolerance));
                         }
                         // (A contact with friction but no pressure is none, nor is one that pulls, as left by an iteration that
@@ -140,7 +143,7 @@ impl ConstrainedSubstep {
                         };
                         let slip = constraint.slip - normal * normal.dot(&constraint.slip);
                         // The gap at the place where a contact was found may be deeper than the search says.
-                        let gap = if was_searched { constraint.gap.max(-island.left.deep) } else { constraint.gap };
+                        let gap = if was_measured { constraint.gap.max(-island.left.deep) } else { constraint.gap };
                         self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
                     }
                 }
