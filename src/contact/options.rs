@@ -114,6 +114,11 @@ impl Default for ContactOptions {
 }
 
 impl ContactOptions {
+    /// The depth of overlap that the model tolerates, m: none with springs, whose depth is their force.
+    pub(crate) fn tolerated_depth(&self) -> f64 {
+        if self.model.is_soft() { 0.0 } else { self.tolerance }
+    }
+
     /// Checks every value; `argument` is the name put before the field in the message.
     ///
     /// # Errors

@@ -257,8 +257,7 @@ impl ContactDetection {
                 };
                 // The weight of the heavier one: a light stub would let a lock sink into it.
                 let weight = strand.mass.max(other.mass) * GRAVITY;
-                let compliance =
-                    if stepping.options.model.is_soft() { 0.0 } else { YIELDS_TO_WEIGHT * stepping.options.tolerance / weight };
+                let compliance = YIELDS_TO_WEIGHT * stepping.options.tolerated_depth() / weight;
                 let kind = ConstraintKind::Hair { normal: contact.normal, margin, compliance };
                 (Some(second), kind, With::Strand(other.index))
             }
@@ -311,8 +310,7 @@ impl ContactDetection {
         islands: &mut [Island],
         step: bool,
     ) {
-        // Springs have no tolerated depth.
-        let may = if stepping.options.model.is_soft() { 0.0 } else { stepping.options.tolerance };
+        let may = stepping.options.tolerated_depth();
         let mut behind = Vec::new();
         for (constrained, contact) in self.found(strands) {
             if contact.gap >= -may {

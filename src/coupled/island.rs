@@ -92,7 +92,7 @@ pub struct Progress {
     fewest: (usize, f64),
     /// Iterations in a row without progress, see [`IDLE`].
     idle: u32,
-    /// The depth of the deepest yielding contact at the last push, m, and the number of pushes.
+    /// How far the contact that was most off at the last push was off, see [`StepConstraint::off_by`], and the number of pushes.
     pub(super) pushed: (f64, u32),
 }
 
@@ -332,9 +332,7 @@ impl Island {
                     // separates these.
                     let most = 1.0 / compliance;
                     match &mut contact.response {
-                        Response::Hard => {
-                            contact.response = Response::Penalty { stiffness: most, damping: 0.0, depth_at_start: 0.0 };
-                        }
+                        Response::Hard => contact.response = Response::spring(compliance),
                         Response::Penalty { stiffness, .. } | Response::Regularised { stiffness, .. } => {
                             *stiffness = stiffness.min(most);
                         }

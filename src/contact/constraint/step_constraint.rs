@@ -71,7 +71,7 @@ pub enum ConstraintKind {
         normal: Vector3<f64>,
         /// Sum of both radii, m.
         margin: f64,
-        /// With which the surfaces yield until they are pushed apart (`pushing.rs`), m/N; zero with penalties.
+        /// Compliance of the surfaces until they are pushed apart (`pushing.rs`), m/N; zero with penalties.
         compliance: f64,
     },
     /// A point fixed in the world.

@@ -273,7 +273,7 @@ impl InteriorPoint {
                     }
                 }
             }
-            let block = self.without_slip(i) * self.scaling[i].square;
+            let block = without_slip(&self.by_slip[i]) * self.scaling[i].square;
             for r in 0..3 {
                 for c in 0..3 {
                     self.matrix[(3 * i + r) * n + 3 * i + c] += block[(r, c)];
@@ -302,11 +302,6 @@ impl InteriorPoint {
         step.is_finite() && self.x.iter().chain(&self.y).all(|v| v.iter().all(|x| x.is_finite()))
     }
 
-    /// 1 − ∂(|y_t| e)/∂y.
-    fn without_slip(&self, i: usize) -> Matrix3<f64> {
-        Matrix3::identity() - Three::x() * self.by_slip[i].transpose()
-    }
-
     /// The directions of x and y for the present complementarity, by the factors, refined once.
     fn direction(&mut self) {
         let m = self.x.len();
@@ -316,8 +311,7 @@ impl InteriorPoint {
         along_y.extend(self.scaling.iter().zip(&self.complementarity).map(|(s, c)| s.w * quotient(&s.scaled, c)));
         self.rhs.clear();
         for i in 0..m {
-            let without_slip = Matrix3::identity() - Three::x() * self.by_slip[i].transpose();
-            let rhs = without_slip * along_y[i] - self.residual[i];
+            let rhs = without_slip(&self.by_slip[i]) * along_y[i] - self.residual[i];
             self.rhs.extend_from_slice(rhs.as_slice());
         }
         self.refined.clone_from(&self.rhs);
@@ -368,6 +362,11 @@ impl Scaling {
         let (w, inverse) = (of(1.0) * eta, of(-1.0) / eta);
         Self { w, inverse, square: w * w, scaled: w * x }
     }
+}
+
+/// 1 − ∂(|y_t| e)/∂y, by the derivative's first row.
+fn without_slip(by_slip: &Three) -> Matrix3<f64> {
+    Matrix3::identity() - Three::x() * by_slip.transpose()
 }
 
 /// a₀² − |a_t|², kept above zero.

@@ -97,7 +97,6 @@ impl ConstrainedSubstep {
             contact.residual = contact.residual.max(island.progress.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
             let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
-            let unsearched = if scene.options.model.is_soft() { 0.0 } else { scene.options.tolerance };
             for constraint in &island.constraints {
                 match constraint.bilateral() {
                     Some(index) => {
@@ -106,8 +105,7 @@ impl ConstrainedSubstep {
                         scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
-                        // (A search tells only what is deeper than the tolerance.)
-                        let was_measured = was_searched && -constraint.gap > unsearched;
+                        let was_measured = was_searched && -constraint.gap > scene.options.tolerated_depth();
                         if !was_measured {
                             contact.penetration = contact.penetration.max(depth(constraint, strands, scene.options.tolerance));
                         }
