@@ -109,6 +109,7 @@ impl<T: Lane> ConstrainedPack<T> {
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
         std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
         constrained.before = None;
+        constrained.stretch.forget();
     }
 
     /// Computes the end of the step, before [`ConstrainedPack::end`].
@@ -285,6 +286,11 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
             }
             from[lane] = constrained.lagrangian(constrained.potential, &constrained.now);
             part[lane] = line_search::first_fraction(rotation[lane], limit);
+            if constrained.damping.value == 0.0 {
+                constrained.stretch.forget();
+            } else {
+                part[lane] *= constrained.stretch.along(&iterate.change, &found, lane, &constrained.damping);
+            }
             moving |= 1 << lane;
         }
         let search = LineSearch { problem: &problem, descent: found.descent, from: &from, trusted: 0 };
@@ -303,10 +309,12 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
                 (constrained.outcome.residual, constrained.residual) = (rotation[lane], rotation[lane]);
             }
             if moving >> lane & 1 == 0 {
+                constrained.stretch.forget();
                 continue;
             }
             constrained.accept();
             constrained.potential = potential[lane];
+            constrained.stretch.went(part[lane]);
             line_search::teach(&mut constrained.damping, &found, lane, from[lane], to[lane]);
             let newton = constrained.damping.value == 0.0 && part[lane] == 1.0;
             let quadratic = newton && pack.exact >> lane & 1 == 1;

@@ -15,6 +15,7 @@ use super::StrandOutcome;
 use super::damping::Damping;
 use super::iterate::Iterate;
 use super::line_search::Merit;
+use super::stretch::Stretch;
 use crate::chain::delassus::Delassus;
 use crate::chain::load::{Load, MaterialPoint};
 use crate::math::lane::Lane;
@@ -51,6 +52,7 @@ pub struct ConstrainedStep {
     pub(super) guess: Vec<ElementState<f64>>,
     pub(super) guessed: Merit,
     pub(super) damping: Damping,
+    pub(super) stretch: Stretch,
     pub(super) before: Option<f64>,
     pub(super) material_points: Vec<MaterialPoint>,
     pub(super) loads: Vec<Load<f64>>,
@@ -93,6 +95,7 @@ impl Default for ConstrainedStep {
             guess: Vec::new(),
             guessed: Merit::default(),
             damping: Damping::new(0.0),
+            stretch: Stretch::default(),
             before: None,
             material_points: Vec::new(),
             loads: Vec::new(),
@@ -133,6 +136,7 @@ impl ConstrainedStep {
         self.guess.clone_from(&self.now);
         (self.potential, self.guessed) = (potential, potential);
         self.damping = Damping::new(usual_damping);
+        self.stretch.forget();
         (self.before, self.gone, self.residual) = (None, f64::INFINITY, f64::INFINITY);
         self.gone_by_element.clear();
         self.gone_by_element.resize(self.now.len(), 0.0);

@@ -30,6 +30,7 @@
 //! - `single.rs`: Steps of one strand at a time, for strands outside any pack.
 //! - `stages.rs`: Runge–Kutta steps as minimisations.
 //! - `state.rs`: The state of a strand: what a step changes.
+//! - `stretch.rs`: How far a damped iteration of a constrained strand goes along its direction.
 //! - `subdivision.rs`: Subdivision: a strand whose step does not converge, turns non-finite or errs by more than permitted takes it in substeps.
 //! - `tableau.rs`: Singly diagonally implicit Runge–Kutta methods, stiffly accurate and L-stable, that share one Newton.
 //! - `target_lanes.rs`: The targets of a pack's strands in lanes: what draws each quadrature point at the end of a stage.
@@ -64,6 +65,7 @@ pub mod scratch;
 pub mod single;
 pub mod stages;
 pub mod state;
+mod stretch;
 pub mod subdivision;
 pub mod tableau;
 pub mod target_lanes;

@@ -23,6 +23,7 @@ mod nearest_points_of_shapes;
 mod numbers;
 mod out_of_reach;
 mod penetration_tolerance;
+mod pressed_along_itself;
 mod random_bodies;
 mod rest_slide_capstan;
 mod roots_inside_bodies;
