@@ -286,11 +286,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
             }
             from[lane] = constrained.lagrangian(constrained.potential, &constrained.now);
             part[lane] = line_search::first_fraction(rotation[lane], limit);
-            if constrained.damping.value == 0.0 {
-                constrained.stretch.forget();
-            } else {
-                part[lane] *= constrained.stretch.along(&iterate.change, &found, lane, &constrained.damping);
-            }
+            part[lane] *= constrained.stretch.along(&iterate.change, &found, lane, constrained.damping.value);
             moving |= 1 << lane;
         }
         let search = LineSearch { problem: &problem, descent: found.descent, from: &from, trusted: 0 };

@@ -12,7 +12,6 @@
 //!
 //! t = p f′·d′ / (c² f·d − c f′·d′).
 
-use super::damping::Damping;
 use crate::chain::system::Direction;
 use crate::math::lane::Lane;
 
@@ -45,9 +44,13 @@ impl Stretch {
         self.part = part;
     }
 
-    /// How far a damped iteration is to go along its direction `change` in a lane, in lengths of it: 1 or more.
+    /// How far an iteration with this `damping` λ, N·m/rad, is to go along its direction `change` in a lane, in lengths of it: 1 or more.
     #[inline(always)]
-    pub fn along<T: Lane>(&mut self, change: &[[T; 3]], found: &Direction<T>, lane: usize, damping: &Damping) -> f64 {
+    pub fn along<T: Lane>(&mut self, change: &[[T; 3]], found: &Direction<T>, lane: usize, damping: f64) -> f64 {
+        if damping == 0.0 {
+            self.forget();
+            return 1.0;
+        }
         let (mut both, mut now_squared, mut before_squared) = (0.0, 0.0, 0.0);
         for (change, before) in change.iter().zip(&self.direction) {
             for (now, before) in change.iter().map(|now| now.lane(lane)).zip(before) {
@@ -59,12 +62,13 @@ impl Stretch {
         let is_same = both > 0.0 && both * both >= SAME * SAME * now_squared * before_squared;
         self.direction.clear();
         self.direction.extend(change.iter().map(|change| [0, 1, 2].map(|axis| change[axis].lane(lane))));
-        let (descent, before) = (found.descent.lane(lane), std::mem::replace(&mut self.descent, found.descent.lane(lane)));
+        let descent = found.descent.lane(lane);
+        let before = std::mem::replace(&mut self.descent, descent);
         if !is_same {
             return 1.0;
         }
         let times = both / before_squared;
-        let falls = [descent - damping.value * found.rotation_sum.lane(lane), times * (times * before - descent) / self.part];
+        let falls = [descent - damping * found.rotation_sum.lane(lane), times * (times * before - descent) / self.part];
         let far = falls.map(|falls| if falls > 0.0 { descent / falls } else { 1.0 });
         let most = (LARGEST_TURN / found.rotation_squared.lane(lane).sqrt()).clamp(1.0, FARTHEST);
         far[0].min(far[1]).clamp(1.0, most)
@@ -79,12 +83,6 @@ mod tests {
         Direction { descent, rotation_squared: 1e-8, rotation_sum, repaired: 0.0, condition: 0.0 }
     }
 
-    fn damped(value: f64) -> Damping {
-        let mut damping = Damping::new(value);
-        damping.value = value;
-        damping
-    }
-
     /// Where a strand is before each iteration with one of these dampings, and in the end: along one rotation that its matrix resists by
     /// `own`, and all that moves with it by `stiffness`.
     fn iterate(own: f64, stiffness: f64, dampings: &[f64]) -> Vec<f64> {
@@ -93,7 +91,7 @@ mod tests {
             let now = at[at.len() - 1];
             let force = -stiffness * now;
             let d = force / (own + damping);
-            let far = stretch.along(&[[0.0, d, 0.0]], &direction(force * d, d * d), 0, &damped(*damping));
+            let far = stretch.along(&[[0.0, d, 0.0]], &direction(force * d, d * d), 0, *damping);
             stretch.went(far);
             at.push(now + far * d);
         }
@@ -122,12 +120,19 @@ mod tests {
     #[test]
     fn other_directions_and_forces_that_do_not_fall_are_not_stretched() {
         let mut stretch = Stretch::default();
-        let mut along = |change: [f64; 3], descent: f64, turn: f64| {
+        let mut along_damped = |change: [f64; 3], descent: f64, turn: f64, damping: f64| {
             let found = Direction { rotation_squared: turn * turn, ..direction(descent, 0.99 * descent) };
-            let far = stretch.along(&[change], &found, 0, &damped(1.0));
+            let far = stretch.along(&[change], &found, 0, damping);
             stretch.went(1.0);
             far
         };
+        // Undamped iterations are neither stretched nor remembered.
+        for damping in [0.0, 1.0] {
+            assert_eq!(along_damped([0.0, 1.0, 0.0], 1.0, 1e-4, damping), 1.0);
+        }
+        assert!(along_damped([0.0, 1.0, 0.0], 0.9, 1e-4, 1.0) > 8.0);
+        assert_eq!(along_damped([0.0, 1.0, 0.0], 0.8, 1e-4, 0.0), 1.0);
+        let mut along = |change: [f64; 3], descent: f64, turn: f64| along_damped(change, descent, turn, 1.0);
         assert_eq!(along([0.0, 1.0, 0.0], 1.0, 1e-4), 1.0);
         assert_eq!(along([0.0, 0.0, 1.0], 1.0, 1e-4), 1.0);
         assert_eq!(along([0.0, 0.0, -1.0], 1.0, 1e-4), 1.0);
