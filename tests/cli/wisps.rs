@@ -3,9 +3,9 @@
 
 use std::path::Path;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::support::{data, directory, errors, superhelix};
+use super::support::{data, directory, errors, run_text, small_scene, superhelix, with};
 
 fn simulate(arguments: &[&str]) -> Value {
     let output = superhelix(&[&["simulate", "--json", "--quiet"], arguments].concat());
@@ -155,10 +155,101 @@ fn hair_drawn_inside_a_head_is_brought_out() {
     assert_eq!(told["left"], 0, "{told}");
     assert!(share < 5e-3 && moved < 1e-3, "{share} {moved}");
     let (told, kept, moved) = inside(&["--drawn-inside", "kept"]);
-    assert!(told.is_null() && kept > 0.1 && moved < 1e-3, "{told} {kept} {moved}");
+    assert!(kept > 0.1 && moved < 1e-3, "{kept} {moved}");
+    assert!(told["becomes"] == "kept" && told["strands"].as_u64().unwrap() > 4 && told["left"] == told["strands"], "{told}");
     let (told, parted, _) = inside(&["--drawn-inside", "parted"]);
-    assert!(told.is_null() && parted == kept, "{told} {parted}");
+    assert!(told["becomes"] == "parted" && told["deepest"].as_f64().unwrap() > 5e-3 && parted == kept, "{told} {parted}");
     assert_eq!(inside(&["--allow-overlaps"]).1, kept);
+}
+
+/// A groom drawn deep into a ball: before the first step a line says so and names the flag that keeps the strands' shape. Not where it is given, and not for hair
+/// that only its roots bring near the ball.
+#[test]
+fn hair_drawn_inside_a_head_is_warned_of() {
+    let directory = directory("wisps_warned");
+    let (head, groom) = (directory.join("ball.obj"), directory.join("groom.obj"));
+    ball(&head, [0.0; 3], 0.1);
+    // (Root, tip.) Three that stand on the ball, and two chords from its surface, 15 mm inside it at their deepest, and out again.
+    let curves: [[[f64; 3]; 2]; 5] = [
+        [[0.1, 0.0, 0.0], [0.3, 0.0, 0.0]],
+        [[0.0, 0.1, 0.0], [0.0, 0.3, 0.0]],
+        [[-0.1, 0.0, 0.0], [-0.3, 0.0, 0.0]],
+        [[-0.0527, 0.085, 0.0], [0.15, 0.085, 0.0]],
+        [[0.0, 0.085, -0.0527], [0.0, 0.085, 0.15]],
+    ];
+    let draw = |curves: &[[[f64; 3]; 2]]| {
+        let mut text = String::new();
+        for ([root, tip], count) in curves.iter().zip(0..) {
+            for k in 0..=20 {
+                let at = [0, 1, 2].map(|axis| root[axis] + (tip[axis] - root[axis]) * f64::from(k) / 20.0);
+                text += &format!("v {} {} {}\n", at[0], at[1], at[2]);
+            }
+            let points: Vec<String> = (1..=21).map(|k| (21 * count + k).to_string()).collect();
+            text += &format!("l {}\n", points.join(" "));
+        }
+        std::fs::write(&groom, text).unwrap();
+    };
+    let body = head.to_str().unwrap();
+    let fixed = ["simulate", groom.to_str().unwrap(), "--scale", "1", "--body", body, "--duration", "0.1", "--json"];
+    let run = |flags: &[&str]| {
+        let output = superhelix(&[&fixed[..], flags].concat());
+        let said = errors(&output);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        let warning = said.lines().find(|line| line.contains("strands are drawn")).map(str::to_owned);
+        (warning, serde_json::from_slice::<Value>(&output.stdout).unwrap()["drawn_inside"].clone())
+    };
+    draw(&curves);
+    for (flags, becomes, way) in [
+        (&[][..], "brought-out", "; they are drawn again outside it, by up to "),
+        (&["--hair-contact", "0.0005"], "brought-out", "; they are drawn again outside it, by up to "),
+        (&["--drawn-inside", "parted"], "parted", "; contact pushes them out, and they lose their shape."),
+    ] {
+        let (warning, told) = run(flags);
+        let warning = warning.unwrap();
+        let start = format!("warning: {}: 2 of 5 strands are drawn up to 1", groom.display());
+        assert!(warning.starts_with(&start) && warning.contains(&format!(" mm inside {body}{way}")), "{warning}");
+        assert!(warning.ends_with(": --allow-overlaps (--drawn-inside kept)"), "{warning}");
+        assert!(told["becomes"] == becomes && told["strands"] == 2, "{told}");
+        assert!((told["deepest"].as_f64().unwrap() - 0.015).abs() < 1.5e-3, "{told}");
+    }
+    for flags in [&["--allow-overlaps"][..], &["--drawn-inside", "kept"]] {
+        let (warning, told) = run(flags);
+        assert_eq!(warning, None);
+        assert!(told["becomes"] == "kept" && told["strands"] == 2 && told["left"] == 2, "{told}");
+    }
+    assert_eq!(run(&["--quiet"]).0, None);
+    draw(&curves[..3]);
+    assert_eq!(run(&[]).0, None);
+    assert_eq!(run(&["--drawn-inside", "parted"]), (None, Value::Null));
+}
+
+/// A scene's strands are left to contact where it does not permit their overlaps: one line says so, and looking for them changes no bit.
+#[test]
+fn strands_of_a_scene_inside_colliders_are_warned_of() {
+    let directory = directory("wisps_scene");
+    // Below the floor by so much, along x; one above it.
+    let scene = |depth: f64, contact: Value| {
+        let strand = |z: f64| json!({"elements": 4, "length": 0.1, "root": {"origin": [0, 50.0 * z, z]}});
+        let scene = with(small_scene(), "/strands", json!([strand(-depth), strand(0.01)]));
+        with(with(scene, "/colliders", json!([{"shape": "halfspace"}])), "/contact", contact)
+    };
+    let warning = |scene: &Value| {
+        let (output, result) = run_text(&directory, &scene.to_string());
+        let warning = errors(&output).lines().find(|line| line.contains("strands are drawn")).map(str::to_owned);
+        (warning, result.unwrap()["state_hash"].clone())
+    };
+    let (said, hash) = warning(&scene(0.01, json!({})));
+    let said = said.unwrap();
+    assert!(said.starts_with("warning: ") && said.contains("1 of 2 strands are drawn up to 10.1 mm inside colliders;"), "{said}");
+    assert!(said.ends_with(": \"allow_overlaps\": true in \"contact\""), "{said}");
+    let paths = ["scene.json", "quiet.json"].map(|name| directory.join(name).to_str().unwrap().to_owned());
+    let output = superhelix(&["run", &paths[0], "--out", &paths[1], "--quiet"]);
+    assert!(output.status.success() && errors(&output).is_empty());
+    let quiet: Value = serde_json::from_str(&std::fs::read_to_string(&paths[1]).unwrap()).unwrap();
+    assert_eq!(quiet["state_hash"], hash);
+    assert_eq!(warning(&scene(0.01, json!({"allow_overlaps": true}))).0, None);
+    // As deep as roots may be in the skin.
+    assert_eq!(warning(&scene(0.001, json!({}))).0, None);
 }
 
 #[test]

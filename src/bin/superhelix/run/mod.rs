@@ -105,6 +105,10 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 
     let mut things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
+    // (What goes on from a snapshot has begun already.)
+    if !arguments.quiet && resumed.is_none() {
+        things.warn_of_overlaps(&scene, path, &mut solver)?;
+    }
 
     let mut out = AtomicFile::create(&arguments.out)?;
     let snapshot = arguments.snapshot.as_deref().map(|path| Ok::<_, Failure>((path, SnapshotFile::create(path)?))).transpose()?;

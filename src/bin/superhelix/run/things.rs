@@ -1,8 +1,11 @@
 //! What of a scene is in the solver.
 
+use std::path::Path;
+
 use superhelix::{BodyId, ConstraintId, Solver, StrandId};
 
 use crate::scene::Scene;
+use crate::stepping::drawn_inside::{Becomes, DrawnInside};
 
 /// What is in the solver, in the scene's order.
 #[derive(Debug)]
@@ -36,5 +39,18 @@ impl Things {
             solver.allow_overlaps(&strands)?;
         }
         Ok(Self { strands, bodies, constraints })
+    }
+
+    /// Warns on standard error, in one line, of strands that contact will push out of colliders as soon as the scene begins.
+    pub fn warn_of_overlaps(&self, scene: &Scene, path: &Path, solver: &mut Solver) -> superhelix::Result<()> {
+        if scene.allow_overlaps || self.bodies.is_empty() {
+            return Ok(());
+        }
+        let left = DrawnInside::left(Becomes::Parted, &solver.overlaps(&self.strands)?);
+        let to_keep = "\"allow_overlaps\": true in \"contact\"";
+        if let Some(warning) = left.and_then(|left| left.warning(self.strands.len(), "colliders", to_keep)) {
+            eprintln!("warning: {}: {warning}", path.display());
+        }
+        Ok(())
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde::Serialize;
+use superhelix::hair::GroomStrand;
 use superhelix::io::obj_mesh;
 use superhelix::shapes::Sides;
 use superhelix::{BodyDef, BodyId, ContactModel, ContactOptions, Frame, Material, Shape, Solver, StrandContact, StrandId};
@@ -13,6 +14,7 @@ use superhelix::{BodyDef, BodyId, ContactModel, ContactOptions, Frame, Material,
 use crate::scene::contact::MODELS;
 use crate::shell::argument_values::{not_negative, positive};
 use crate::shell::failure::Failure;
+use crate::stepping::drawn_inside::{Becomes, DrawnInside};
 use crate::stepping::head::Head;
 use crate::surfaces::baked_body;
 use crate::surfaces::baked_body::Baked;
@@ -46,22 +48,11 @@ pub struct BodyArguments {
     exempt: f64,
     /// What becomes of strands that are drawn inside the body. What is left of that, and strands drawn into each other, may stay as they begin,
     /// unless they are parted: only what comes on top of it is kept apart.
-    #[arg(long, value_enum, value_name = "WHAT", default_value_t = DrawnInside::BroughtOut)]
-    drawn_inside: DrawnInside,
+    #[arg(long, value_enum, value_name = "WHAT", default_value_t = Becomes::BroughtOut)]
+    drawn_inside: Becomes,
     /// The same as --drawn-inside kept.
     #[arg(long, conflicts_with = "drawn_inside")]
     allow_overlaps: bool,
-}
-
-/// What becomes of strands that are drawn inside the body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum DrawnInside {
-    /// They are drawn again outside it, by the least that does.
-    BroughtOut,
-    /// They stay as drawn.
-    Kept,
-    /// Contact pushes them out, and strands apart, as soon as the run begins.
-    Parted,
 }
 
 /// What a mesh becomes.
@@ -119,7 +110,11 @@ impl BodyArguments {
 
     /// Whether what is drawn inside is brought out before it is made a strand.
     pub fn brings_out(&self) -> bool {
-        self.drawn_inside == DrawnInside::BroughtOut && !self.allow_overlaps
+        self.becomes() == Becomes::BroughtOut
+    }
+
+    fn becomes(&self) -> Becomes {
+        if self.allow_overlaps { Becomes::Kept } else { self.drawn_inside }
     }
 
     /// What strands of this material are to contact: `hair` is what one of their hairs is.
@@ -179,24 +174,28 @@ impl BodyArguments {
         Ok((front.map_err(|error| Failure::file(path, error))?, "front"))
     }
 
-    /// Gives strands their contact and adds the body.
+    /// Gives strands their contact and adds the body. What was drawn inside it, with the strands as they were made of the groom.
     pub fn begin(
         &self,
         solver: &mut Solver,
         strands: &[StrandId],
+        made: &[GroomStrand],
         contact: StrandContact,
         body: Option<&HeadBody>,
-    ) -> Result<Option<BodyId>, Failure> {
+    ) -> Result<(Option<BodyId>, Option<DrawnInside>), Failure> {
         if !self.touches() {
-            return Ok(None);
+            return Ok((None, None));
         }
         solver.set_contact(strands, Some(&contact))?;
         let bodies = body.map(|body| BodyDef::new(Arc::clone(&body.shape)));
         let added = solver.add_bodies(bodies.into_iter().collect())?;
-        if self.allow_overlaps || self.drawn_inside != DrawnInside::Parted {
-            solver.allow_overlaps(strands)?;
-        }
-        Ok(added.first().copied())
+        let becomes = self.becomes();
+        let overlaps = if becomes == Becomes::Parted { solver.overlaps(strands)? } else { solver.allow_overlaps(strands)? };
+        let drawn_inside = match becomes {
+            Becomes::BroughtOut => DrawnInside::brought_out(made),
+            Becomes::Kept | Becomes::Parted => DrawnInside::left(becomes, &overlaps),
+        };
+        Ok((added.first().copied(), drawn_inside))
     }
 }
 

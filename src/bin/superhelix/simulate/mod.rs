@@ -42,7 +42,7 @@ use crate::groom::unit as groom_unit;
 use crate::shell::answer::print_answer;
 use crate::shell::failure::Failure;
 use crate::shell::progress;
-use crate::stepping::fitted::{DrawnInside, FitReport, Resting};
+use crate::stepping::fitted::{FitReport, Resting};
 use crate::stepping::head::Head;
 use crate::stepping::report::Report;
 use crate::stepping::resolution::{self, Shapes};
@@ -78,7 +78,12 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         settled.warn(&arguments.groom.display().to_string(), definitions.len());
     }
     let ids = solver.add_strands(&definitions)?;
-    let body_id = arguments.bodies.begin(&mut solver, &ids, contact, body.as_ref())?;
+    let (body_id, drawn_inside) = arguments.bodies.begin(&mut solver, &ids, &strands, contact, body.as_ref())?;
+    if let (Some(drawn), Some(body), false) = (&drawn_inside, &body, arguments.quiet)
+        && let Some(warning) = drawn.warning(strands.len(), &body.report.mesh, "--allow-overlaps (--drawn-inside kept)")
+    {
+        eprintln!("warning: {}: {warning}", arguments.groom.display());
+    }
     let mut style = Style::new(body.as_ref().map(HeadBody::shape), arguments.fps);
 
     let mut film = Film::create(arguments, scale, ids.len(), frame_count, fineness.elements)?;
@@ -115,7 +120,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         most_elements: strands.iter().map(|strand| strand.definition.element_lengths.len()).max().unwrap_or(0),
         wisps: arguments.wisps.report(),
         resting: Resting::of(&strands, &material),
-        drawn_inside: DrawnInside::of(&strands),
+        drawn_inside,
         skipped,
         fit: FitReport::of(&strands),
         settled,

@@ -6,7 +6,8 @@ use crate::groom::strands::Skipped;
 use crate::groom::wisp_arguments::WispReport;
 use crate::simulate::body::BodyReport;
 use crate::simulate::style::StyleReport;
-use crate::stepping::fitted::{DrawnInside, FitReport, Resting};
+use crate::stepping::drawn_inside::DrawnInside;
+use crate::stepping::fitted::{FitReport, Resting};
 use crate::stepping::report::Report;
 use crate::stepping::settled::Settled;
 
@@ -34,7 +35,7 @@ pub struct SimulateReport {
     /// How strands rest as drawn, where they are to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resting: Option<Resting>,
-    /// What was drawn inside the body and brought out of it.
+    /// What was drawn inside the body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub drawn_inside: Option<DrawnInside>,
     /// Strands that could not be simulated.
@@ -108,16 +109,7 @@ impl SimulateReport {
             };
         }
         if let Some(drawn) = &self.drawn_inside {
-            text += &format!(
-                "drawn inside: {} strands, {:.1} mm deep at most; pushed out by {:.1} mm at most",
-                drawn.strands,
-                drawn.deepest * 1e3,
-                drawn.moved * 1e3
-            );
-            if drawn.left > 0 {
-                text += &format!("; {} stay: no path out was found", drawn.left);
-            }
-            text += "\n";
+            text += &drawn.in_words();
         }
         if let (Some(rms), Some(max)) = (self.fit.rms_metres, self.fit.max_metres) {
             text += &format!(

@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 use serde::Serialize;
 use superhelix::{Frame, Result, Shape, Solver, StrandId};
 
+use crate::stepping::drawn_inside::INSIDE;
+
 /// Points a strand that are looked at.
 const SAMPLES: usize = 33;
-/// What counts as inside a body, m deep.
-const INSIDE: f64 = 2e-3;
 
 /// What a run did to a style.
 #[derive(Debug, Clone, Copy, Serialize)]

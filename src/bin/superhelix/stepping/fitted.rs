@@ -1,4 +1,4 @@
-//! Strands made of a groom: how well they fit, how they rest, what was drawn inside a body.
+//! Strands made of a groom: how well they fit, how they rest.
 
 use serde::Serialize;
 use superhelix::Material;
@@ -75,32 +75,5 @@ impl Resting {
             text += &format!("; {} are too limp and will sag (--hold, --stiffen)", self.limp);
         }
         text + "\n"
-    }
-}
-
-/// What was drawn inside the body.
-#[derive(Debug, Serialize)]
-pub struct DrawnInside {
-    /// Strands with points inside it, or nearer than they are wide.
-    pub strands: usize,
-    /// The deepest of the points, m.
-    pub deepest: f64,
-    /// How far a point was moved at most to be outside, m.
-    pub moved: f64,
-    /// Strands that no way out was found for.
-    pub left: usize,
-}
-
-impl DrawnInside {
-    /// Of all strands; none where nothing was inside.
-    pub fn of(strands: &[GroomStrand]) -> Option<Self> {
-        let mut all = Self { strands: 0, deepest: 0.0, moved: 0.0, left: 0 };
-        for brought in strands.iter().map(|strand| &strand.brought_out).filter(|brought| brought.inside > 0) {
-            all.strands += 1;
-            all.deepest = all.deepest.max(brought.deepest);
-            all.moved = all.moved.max(brought.moved);
-            all.left += usize::from(brought.stuck);
-        }
-        (all.strands > 0).then_some(all)
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Files:
 //!
-//! - `fitted.rs`: Strands made of a groom: how well they fit, how they rest, what was drawn inside a body.
+//! - `drawn_inside.rs`: Strands that are drawn inside a body: how many, how deep, and what becomes of them.
+//! - `fitted.rs`: Strands made of a groom: how well they fit, how they rest.
 //! - `head.rs`: A head that carries roots: a motion laid onto a groom.
 //! - `motion_arguments.rs`: The motion of a head on the command line.
 //! - `report.rs`: How the steps of a run went, all together.
@@ -10,6 +11,7 @@
 //! - `sampled_frame.rs`: Strands as a solver has them, sampled for files and pictures.
 //! - `settled.rs`: `--settle`: strands that start at rest in their static equilibrium under gravity.
 
+pub mod drawn_inside;
 pub mod fitted;
 pub mod head;
 pub mod motion_arguments;
