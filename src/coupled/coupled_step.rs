@@ -77,6 +77,9 @@ pub struct CoupledStep {
     /// The largest number of searches for undetected contacts, if not the usual one.
     #[cfg(test)]
     pub max_searches: Option<u32>,
+    /// A strand whose energy counts as risen, by its index in the solver.
+    #[cfg(test)]
+    pub risen: Option<u32>,
 }
 
 /// The parts of coupled strands, borrowed side by side.

@@ -8,7 +8,7 @@ use super::formula::restart;
 use super::island::ending::Next;
 use super::island::{Island, Turn};
 use crate::memory::recycled;
-use crate::meter::Stopped;
+use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::options::Integrator;
 use crate::workers::WorkerSet;
@@ -31,6 +31,12 @@ pub struct IterationTally {
 }
 
 impl CoupledStep {
+    /// Whether as much work is left as this many iterations of all strands take.
+    pub(super) fn is_left(&self, iterations: u64, meter: &Meter) -> bool {
+        let half = |constrained: &ConstrainedStrand| constrained.half_work_with(constrained.attachments.len());
+        self.strands().iter().map(half).sum::<u64>() <= meter.left() / (2 * iterations)
+    }
+
     /// At most `most` Newton iterations of all islands.
     pub(super) fn iterate<S: Scratch>(
         &mut self,
@@ -39,9 +45,8 @@ impl CoupledStep {
         tally: &mut IterationTally,
         most: u32,
     ) {
+        let is_ample = self.is_left(AMPLE, stepping.meter);
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-        let half = |constrained: &ConstrainedStrand| constrained.half_work_with(constrained.attachments.len());
-        let is_ample = strands.iter().map(half).sum::<u64>() <= stepping.meter.left() / (2 * AMPLE);
         for island in islands.iter_mut() {
             let is_alone = is_ample && island.strands.len() == 1;
             island.turn = if is_alone { Turn::Alone { iterations_left: most } } else { Turn::WithOthers };

@@ -11,7 +11,7 @@
 //! - `formula.rs`: The integration formula of constrained strands.
 //! - `island.rs`: Islands: strands coupled by constraints, directly or through others.
 //! - `iterations.rs`: Newton iterations of all islands.
-//! - `nearest_pair.rs`: The depth of contacts between strands, from the points where the strands are nearest.
+//! - `nearest_pair.rs`: The depth of contacts between strands, and whether the strands are still there, from the points where the strands are nearest.
 //! - `packs.rs`: Constrained strands side by side: their distribution to packs, and each half of an iteration pack by pack.
 //! - `solitary.rs`: Newton iterations of strands that share no constraint with others: what touches them is bodies, or holds them in place.
 //! - `stages.rs`: The stages of a coupled step and their order.

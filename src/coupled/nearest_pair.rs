@@ -1,9 +1,10 @@
-//! The depth of contacts between strands, from the points where the strands are nearest.
+//! The depth of contacts between strands, and whether the strands are still there, from the points where the strands are nearest.
 
 use super::constrained_strand::ConstrainedStrand;
-use crate::contact::constraint::step_constraint::{ConstraintKind, StepConstraint};
+use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
 use crate::contact::contact_point::StrandCurve;
 use crate::contact::narrow_phase::helix_distance::{Arc, closest};
+use crate::step::constrained_step::ConstrainedStep;
 
 /// The largest number of moves from element to element.
 const MAX_HOPS: usize = 8;
@@ -17,13 +18,27 @@ pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], toleran
     if depth <= tolerance || depth >= margin {
         return depth;
     }
+    margin - distance([constraint.first, second], strands)
+}
+
+/// Whether the strands of a contact that holds are no longer there: where they are nearest, near its points, their surfaces are further
+/// apart than `tolerance` and the strands' thickness. What still presses them then is a plane that is not between them.
+pub fn has_departed(constraint: &StepConstraint, strands: &[ConstrainedStrand], tolerance: f64) -> bool {
+    let (ConstraintKind::Hair { margin, .. }, Some(second)) = (constraint.kind, constraint.second) else { return false };
+    let far = 2.0 * margin.max(0.0) + tolerance;
     let ends = [constraint.first, second];
+    let [a, b] = ends.map(|end| ConstrainedStep::place(strands[end.strand as usize].step.now(), &end.material_point));
+    constraint.gap >= -tolerance && (a - b).norm_squared() > far * far && distance(ends, strands) > far
+}
+
+/// The distance of two strands where they are nearest, near these points of them, m.
+fn distance(ends: [ConstraintEnd; 2], strands: &[ConstrainedStrand]) -> f64 {
     let strands = ends.map(|end| &strands[end.strand as usize]);
     let curves = strands.map(|strand| strand.path().now);
     let [a, b] = strands.map(|strand| strand.contact.wisp());
     let held = a.held_length(&b, (curves[0].left_end(0) - curves[1].left_end(0)).norm());
     let without_contact = [a, b].map(|wisp| wisp.exempt.max(held));
-    margin - nearest_distance(curves, without_contact, ends.map(|end| (end.material_point.element, end.material_point.s)))
+    nearest_distance(curves, without_contact, ends.map(|end| (end.material_point.element, end.material_point.s)))
 }
 
 /// The least distance of two curves beyond the lengths `without_contact` at their roots (m), near these two points (element,

@@ -16,6 +16,12 @@ const MAX_SEARCHES: u32 = 16;
 const EARLY: u32 = 2;
 const EARLY_ITERATIONS: u32 = 2;
 
+/// This search lets go of contacts that press strands which are no longer beside each other there, where as much work as this many
+/// iterations of all strands take is left. (Iterates at the first search are still far from their ends. After later ones all would be
+/// solved a second time.)
+const LETS_GO: u32 = 1;
+const LETS_GO_ITERATIONS: u64 = 20;
+
 /// Cost of a constraint found by a search, nanoseconds or so.
 const WORK_A_CONSTRAINT: u64 = 3000;
 
@@ -150,18 +156,19 @@ impl CoupledStep {
 
     /// Searches for contacts that no constraint represents, and adds them.
     fn search<S: Scratch>(&mut self, stepping: &Stepping<S>, round: &mut Round, tally: &mut IterationTally) -> Option<Stage> {
+        let lets_go = round.search == LETS_GO && self.is_left(LETS_GO_ITERATIONS, stepping.meter);
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
         self.detection.find(stepping, strands, false);
         if stepping.meter.is_halted() {
             return self.interrupt(stepping);
         }
-        let more = self.detection.add_undetected(stepping, strands, islands, &mut self.constraints);
-        if !more && stepping.meter.is_halted() {
+        let more = self.detection.add_undetected(stepping, strands, islands, &mut self.constraints, lets_go);
+        if more.is_none() && stepping.meter.is_halted() {
             return self.interrupt(stepping);
         }
         round.search += 1;
-        if more {
-            tally.searches += 1;
+        if let Some(found) = more {
+            tally.searches += u32::from(found > 0);
             contact_limit::thin_out(&mut self.constraints, strands, stepping.meter.left());
             return Some(Stage::Coupling);
         }
@@ -198,6 +205,10 @@ impl CoupledStep {
         if !stepping.options.model.is_soft() {
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             islands.iter_mut().for_each(|island| island.reject_risen(strands, stepping.h));
+            #[cfg(test)]
+            for strand in strands.iter_mut().filter(|strand| Some(strand.index) == self.risen) {
+                islands[strand.island as usize].reject(strand);
+            }
         }
         Some(Stage::Depths)
     }

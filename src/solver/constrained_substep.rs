@@ -7,7 +7,7 @@
 //! - `account.rs`: The results of a constrained substep: the outcomes of strands, the list of contacts, the loads of bodies and bilateral constraints.
 //! - `packs.rs`: Constrained strands side by side with the scene's strands: how their step begins and ends, pack by pack (`coupled/packs.rs`).
 //! - `substeps.rs`: Substeps of a substep: islands that have not converged repeat it in two halves if contacts are left deep, and always if they are small.
-//! - `tests.rs`: Substeps in which the limit of searches is reached before all contacts are found.
+//! - `tests.rs`: Substeps in which the limit of searches is reached before all contacts are found (sixteen searches hardly ever are too few: here the limit is one or two), and substeps within them whose strands meet others that they do not see.
 
 mod account;
 mod packs;

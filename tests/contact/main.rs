@@ -29,6 +29,7 @@ mod rest_slide_capstan;
 mod roots_inside_bodies;
 mod snapshots;
 mod strands_against_bodies;
+mod strands_that_leave;
 mod swinging_tufts;
 mod tied_wisps;
 mod tip_in_a_crease;

@@ -1,4 +1,5 @@
-//! Contacts that a search between iterations finds and no constraint represents: they are added to the islands' constraints.
+//! Contacts that a search between iterations finds and no constraint represents: they are added to the islands' constraints. Those whose
+//! strands have gone elsewhere meanwhile are let go.
 
 use super::ContactDetection;
 use crate::contact::constraint::law::Law;
@@ -6,6 +7,7 @@ use crate::contact::constraint::step_constraint::{ConstraintEnd, Give, SAME_SIDE
 use crate::coupled::constrained_strand::ConstrainedStrand;
 use crate::coupled::coupled_step::Stepping;
 use crate::coupled::island::Island;
+use crate::coupled::nearest_pair::has_departed;
 
 /// An undetected contact is a known one, seen from where the strands are now, if it is no further from it along the strand than
 /// this fraction of the distance that the surfaces keep between their centres. Side by side the two would be one force in two
@@ -84,23 +86,23 @@ impl ContactDetection {
         whole
     }
 
-    /// Adds the undetected contacts of the last search to the islands' constraints: true if there are any. All constraints are
-    /// then in `constraints`, from which islands are formed again.
+    /// Adds the undetected contacts of the last search to the islands' constraints, and `lets_go` of those whose strands have departed.
+    /// `None` if there are neither; else how many were added. All constraints are then in `constraints`, from which islands are formed again.
     pub fn add_undetected<S>(
         &mut self,
         stepping: &Stepping<S>,
         strands: &mut [ConstrainedStrand],
         islands: &mut [Island],
         constraints: &mut Vec<StepConstraint>,
-    ) -> bool {
+        lets_go: bool,
+    ) -> Option<usize> {
         constraints.clear();
-        let Some(mut undetected) = self.undetected(stepping, strands, islands) else {
-            return false;
-        };
+        let mut undetected = self.undetected(stepping, strands, islands)?;
         leave_wild_ones(&mut undetected, strands, islands);
-        if undetected.is_empty() {
+        let departed = if lets_go { departed(strands, islands, stepping.options.tolerance) } else { Vec::new() };
+        if undetected.is_empty() && departed.is_empty() {
             self.undetected = undetected;
-            return false;
+            return None;
         }
         for constrained in strands.iter_mut() {
             let island = &islands[constrained.island as usize];
@@ -109,7 +111,8 @@ impl ContactDetection {
                 constrained.rest.settle();
             }
         }
-        for end in undetected.iter().flat_map(StepConstraint::ends) {
+        let gone = departed.iter().map(|(island, index)| &islands[*island].constraints[*index]);
+        for end in undetected.iter().chain(gone).flat_map(StepConstraint::ends) {
             let strand = &mut strands[end.strand as usize];
             (strand.ended, strand.progress) = (None, None);
         }
@@ -120,10 +123,13 @@ impl ContactDetection {
                 constraints[end.constraint as usize].modelled[usize::from(end.second)] = end.modelled;
             }
         }
-        for island in islands.iter_mut() {
-            constraints.append(&mut island.constraints);
+        let mut departed = departed.into_iter().peekable();
+        for (k, island) in islands.iter_mut().enumerate() {
+            let all = island.constraints.drain(..).enumerate();
+            constraints
+                .extend(all.filter(|(index, _)| departed.next_if_eq(&(k, *index)).is_none()).map(|(_, constraint)| constraint));
         }
-        let known_of = &mut self.known_of;
+        let (known_of, added) = (&mut self.known_of, undetected.len());
         known_of.reset(strands.len());
         for constraint in undetected.drain(..) {
             known_of.take_in(constraints);
@@ -155,8 +161,22 @@ impl ContactDetection {
             }
         }
         self.undetected = undetected;
-        true
+        Some(added)
     }
+}
+
+/// The contacts that press strands which have departed from each other, by island and index, ascending.
+fn departed(strands: &[ConstrainedStrand], islands: &[Island], tolerance: f64) -> Vec<(usize, usize)> {
+    let mut departed = Vec::new();
+    for (k, island) in islands.iter().enumerate().filter(|(_, island)| !island.is_given_up()) {
+        for (index, constraint) in island.constraints.iter().enumerate() {
+            let is_exact = !constraint.deep && constraint.give == Give::No;
+            if is_exact && constraint.presses() && has_departed(constraint, strands, tolerance) {
+                departed.push((k, index));
+            }
+        }
+    }
+    departed
 }
 
 /// Removes the new contacts of strands that are far from convergence and overlap many others there: their real contacts are

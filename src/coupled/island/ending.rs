@@ -120,10 +120,15 @@ impl Island {
         for strand in &self.strands {
             let strand = &mut strands[*strand as usize];
             if strand.has_risen(step) {
-                strand.residual = f64::INFINITY;
-                self.progress.ending.outcome = Outcome::Diverged;
+                (strand.residual, self.progress.ending.outcome) = (f64::INFINITY, Outcome::Diverged);
             }
         }
+    }
+
+    /// The same of one strand, for tests.
+    #[cfg(test)]
+    pub fn reject(&mut self, strand: &mut ConstrainedStrand) {
+        (strand.residual, self.progress.ending.outcome) = (f64::INFINITY, Outcome::Diverged);
     }
 
     /// Goes on from where it is: one of its strands has been moved.

@@ -2,7 +2,7 @@
 //! are small, which costs little. Each half begins where the one before has ended; halves are halved again as often as the
 //! steps of unconstrained strands ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The
 //! other strands are already at the end and are not seen meanwhile: an island that ends deeper in them than before keeps its
-//! end of the whole substep.
+//! end of the whole substep. Where it has none, since it has diverged, strands that are left deep count as unconverged.
 
 use super::account::{Account, ContactTally};
 use super::{ConstrainedSubstep, Scene};
@@ -67,7 +67,7 @@ impl ConstrainedSubstep {
             constrained_substep.coupled.strands()[taking.strand].index as usize
         };
         let whole: Vec<Strand> = taking.iter().map(|taking| scene.strands[index(self, taking)].clone()).collect();
-        let bodies = Self::bodies_at_end(scene, h);
+        let (bodies, deep) = (Self::bodies_at_end(scene, h), DEEP * scene.options.tolerance);
         while self.coupled.islands().iter().any(Island::is_subdivided) {
             for taking in taking.iter().filter(|taking| self.is_subdivided(taking.strand)) {
                 scene.strands[index(self, taking)].clone_from(&taking.before);
@@ -85,17 +85,18 @@ impl ConstrainedSubstep {
             // The substeps' own depths are not those at the end, and do not include the other strands.
             substeps.reported.penetration = 0.0;
             let (left, mut some_go_back) = (self.depths(scene, &bodies, |constrained| self.is_subdivided(constrained)), false);
-            let islands = self.coupled.parts().islands.iter_mut().enumerate();
-            for (k, island) in islands.filter(|(_, island)| island.is_subdivided()) {
-                let most = island.left.deep.max(DEEP * scene.options.tolerance) + SLIGHTLY * scene.options.tolerance;
+            for island in self.coupled.parts().islands.iter_mut().filter(|island| island.is_subdivided()) {
+                let most = island.left.deep.max(deep) + SLIGHTLY * scene.options.tolerance;
+                let deepest = deepest(island, &left);
                 // (Strands that stayed as they were when the step began have no end to return to.)
-                if left[k] > most && !island.is_diverged() {
+                if deepest > most && !island.is_diverged() {
                     island.phase = Phase::Ended;
                     some_go_back = true;
                 }
-                substeps.reported.penetration = substeps.reported.penetration.max(left[k]);
+                substeps.reported.penetration = substeps.reported.penetration.max(deepest);
             }
             if !some_go_back {
+                self.doubt_deep(scene, &mut substeps, &left, deep);
                 if let (false, Some(shorter)) = (scene.is_nested, self.shorter.as_deref_mut()) {
                     // The gap at the place where a contact was found may be deeper than the search says.
                     shorter.contacts.iter_mut().for_each(|contact| contact.gap = contact.gap.max(-substeps.reported.penetration));
@@ -108,6 +109,23 @@ impl ConstrainedSubstep {
             }
         }
         Substeps::default()
+    }
+
+    /// Strands that are `left` deeper than `deep` (m; by their index among the constrained strands) have not converged, whatever the
+    /// substeps say, which do not see the strands outside. (What was as deep when the step began parts slowly.)
+    fn doubt_deep(&self, scene: &mut Scene, substeps: &mut Substeps, left: &[f64], deep: f64) {
+        let islands = self.coupled.islands();
+        let mut doubted = vec![false; islands.len()];
+        for (constrained, outcome) in self.subdivided().zip(&mut substeps.outcomes) {
+            let strand = &self.coupled.strands()[constrained];
+            let constraints = &islands[strand.island as usize].constraints;
+            let parts = strand.left_deep || strand.attachments.iter().any(|end| constraints[end.constraint as usize].deep);
+            if left[constrained] > deep && !parts {
+                (outcome.converged, doubted[strand.island as usize]) = (false, true);
+                scene.strands[strand.index as usize].last = (&*outcome).into();
+            }
+        }
+        substeps.reported.unconverged += doubted.into_iter().map(u32::from).sum::<u32>();
     }
 
     fn take_halves(&mut self, scene: &mut Scene, h: f64, levels: u32) -> Substeps {
@@ -188,9 +206,9 @@ impl ConstrainedSubstep {
         let asked: Vec<bool> = islands.iter().map(|island| !island.is_subdivided() && any(island)).collect();
         let depths =
             self.depths(scene, &Self::bodies_at_end(scene, h), |constrained| asked[strands[constrained].island as usize]);
-        for (island, (depth, asked)) in self.coupled.parts().islands.iter_mut().zip(depths.into_iter().zip(asked)) {
+        for (island, asked) in self.coupled.parts().islands.iter_mut().zip(asked) {
             if asked {
-                island.left.deep = depth;
+                island.left.deep = deepest(island, &depths);
             }
         }
     }
@@ -207,34 +225,39 @@ impl ConstrainedSubstep {
         bodies
     }
 
-    /// The depths of the islands of the `asked` strands, m, in the current scene and independent of known contacts. Zero in a
-    /// nested substep, where other strands are elsewhere.
+    /// The depths of the `asked` strands, m, by their index among the constrained ones, in the current scene and independent of known
+    /// contacts. Zero for the others, and in a nested substep, where other strands are elsewhere.
     fn depths(&self, scene: &Scene, bodies: &[Body], asked: impl Fn(usize) -> bool + Sync) -> Vec<f64> {
-        let mut depths = vec![0.0_f64; self.coupled.islands().len()];
+        let constrained = self.coupled.strands();
+        let mut depths = vec![0.0_f64; constrained.len()];
         if scene.is_nested {
             return depths;
         }
-        let constrained = self.coupled.strands();
-        let island = |index: usize| {
+        let strand = |index: usize| {
             let found = constrained.binary_search_by_key(&(index as u32), |constrained| constrained.index);
-            found.ok().filter(|place| asked(*place)).map(|place| constrained[place].island as usize)
+            found.ok().filter(|place| asked(*place))
         };
         let bodies: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.still(k as u32)).collect();
         let Scene { ref strands, slots, ref constraints, workers, options, .. } = *scene;
         let now = CurrentScene { strands, slots, constraints, bodies: &bodies, hair: options.hair, workers };
-        for deep in now.deep_places(|index| island(index).is_some()) {
+        for deep in now.deep_places(|index| strand(index).is_some()) {
             let (place, other) = match deep.partner {
                 // The host has put the root there.
                 Partner::Body { .. } if deep.point.element == 0 && deep.point.s == 0.0 => continue,
                 Partner::Body { .. } => (deep.point, None),
                 Partner::Strand(other) => (deep.point, Some(other)),
             };
-            for island in [Some(place), other].into_iter().flatten().filter_map(|place| island(place.strand as usize)) {
-                depths[island] = depths[island].max(now.depth(&deep));
+            for strand in [Some(place), other].into_iter().flatten().filter_map(|place| strand(place.strand as usize)) {
+                depths[strand] = depths[strand].max(now.depth(&deep));
             }
         }
         depths
     }
+}
+
+/// The deepest of an island's strands, whose `depths` these are.
+fn deepest(island: &Island, depths: &[f64]) -> f64 {
+    island.strands.iter().fold(0.0, |deepest, strand| depths[*strand as usize].max(deepest))
 }
 
 impl ContactTally {

@@ -1,5 +1,5 @@
-//! Substeps in which the limit of searches is reached before all contacts are found. Sixteen searches hardly ever are too few:
-//! here the limit is one or two.
+//! Substeps in which the limit of searches is reached before all contacts are found (sixteen searches hardly ever are too few: here the
+//! limit is one or two), and substeps within them whose strands meet others that they do not see.
 
 use std::sync::Arc;
 
@@ -13,6 +13,7 @@ use crate::math::trigonometry::sine_cosine;
 use crate::solver::Solver;
 use crate::solver::definition::{SolverOptions, StrandDef};
 use crate::solver::id::StrandId;
+use crate::solver::report::StrandStatus;
 
 const BALL: f64 = 0.03;
 const H: f64 = 1.0 / 60.0;
@@ -116,4 +117,67 @@ fn substeps_leave_nothing_deeper_than_the_whole_step() {
     println!("{subdivided} strand steps in substeps, half as deep in {better} steps");
     assert!(subdivided > 20 && better >= 3, "{subdivided} {better}");
     assert!(deeper.is_empty(), "{deeper:?}");
+}
+
+/// A strand whose root turns downwards in a step of a tenth of a second, and stiff ones across it, the first through `across`, if there are any.
+/// `risen`: the strand whose end of the whole step is rejected, by its index.
+fn turning(across: Option<Vector3<f64>>, risen: Option<u32>) -> (Solver, Vec<StrandId>) {
+    let contact = ContactOptions { hair: true, ..ContactOptions::default() };
+    let mut solver = Solver::new(SolverOptions { contact, ..SolverOptions::default() }).unwrap();
+    let mut defs = vec![StrandDef::straight(0.1, 5)];
+    defs[0].material.youngs_modulus = 4e9;
+    if let Some(middle) = across {
+        let mut def = StrandDef::straight(0.06, 3);
+        def.material.youngs_modulus = 1e11;
+        def.root.rotation = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2);
+        // Many more keep the common motion of all strands, which no search counts as motion, near none.
+        for k in 0..100 {
+            def.root.origin = middle + Vector3::new(0.1 * f64::from(k), -0.03, 0.0);
+            defs.push(def.clone());
+        }
+    }
+    let ids = solver.add_strands(&defs).unwrap();
+    let strand = StrandContact { radius: 1e-4, wisp_radius: 1e-3, ..StrandContact::default() };
+    solver.set_contact(&ids, Some(&strand)).unwrap();
+    let rotation = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 1.0);
+    let root = Frame { origin: -0.05 * Vector3::z(), rotation };
+    solver.set_root_frames(&ids[..1], &[root], LONG).unwrap();
+    solver.constrained_substep.coupled.risen = risen;
+    (solver, ids)
+}
+
+/// A step in which one long step ends elsewhere than two short ones, s.
+const LONG: f64 = 0.1;
+
+/// The first strand close to its tip, after a step.
+fn end_of_turn(risen: Option<u32>) -> Vector3<f64> {
+    let (mut solver, ids) = turning(None, risen);
+    solver.step(LONG, 1).unwrap();
+    let mut end = Vector3::zeros();
+    solver.sample_at(ids[0], &[0.098], |_, sample| end = sample.position).unwrap();
+    end
+}
+
+/// Substeps do not see the strands outside them, and a strand whose end of the whole step is rejected has no other end: it is reported as
+/// unconverged where it is left deep in one of them.
+#[test]
+fn a_strand_that_substeps_leave_deep_in_another_is_not_converged() {
+    let [whole, halves] = [None, Some(0)].map(end_of_turn);
+    assert!((whole - halves).norm() > 5e-3, "{whole} {halves}");
+    let step = |across: Vector3<f64>| {
+        let (mut solver, ids) = turning(Some(across), Some(0));
+        let report = solver.step(LONG, 1).unwrap();
+        let statuses = ids[..2].iter().map(|id| solver.status(*id).unwrap()).collect::<Vec<StrandStatus>>();
+        (report, deepest(&mut solver, &ids), statuses)
+    };
+    let (report, deep, statuses) = step(halves);
+    println!("{deep} m deep, {statuses:?}");
+    assert!(deep > 1e-3 && report.contact.penetration > 0.9 * deep, "{deep:e}, reported as {:e}", report.contact.penetration);
+    assert_eq!((report.unconverged, report.contact.unconverged), (1, 1));
+    assert_eq!(statuses, [StrandStatus::Unconverged, StrandStatus::Ok]);
+    // Nowhere near the other one the same substeps are what they say.
+    let (report, deep, statuses) = step(halves + 0.1 * Vector3::x());
+    assert!(deep == 0.0, "{deep:e}");
+    assert_eq!((report.unconverged, report.contact.unconverged), (0, 0));
+    assert_eq!(statuses, [StrandStatus::Ok; 2]);
 }
