@@ -291,7 +291,10 @@ class StepReport(Record):
     max_contact_iterations = IntField(
         "Largest number of Newton iterations of an island: a set of strands that contacts or constraints couple."
     )
-    unconverged_islands = IntField("Number of islands that did not converge.")
+    unconverged_islands = IntField(
+        "Number of islands that did not converge. Includes those in which a contact or constraint yields by more than a fifth of "
+        "the contact tolerance, and those that are left deep in strands outside them."
+    )
     contact_sweeps = IntField("Total number of sweeps of the contact solver.")
     max_contact_residual = FloatField("Largest residual of the contact and friction laws: see ContactOptions.residual.")
     max_penetration = FloatField("Largest penetration depth at the end of a substep, m.")

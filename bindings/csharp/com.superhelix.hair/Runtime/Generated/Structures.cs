@@ -160,7 +160,10 @@ namespace Superhelix
     public uint ContactSearches;
     /// <summary>Largest number of Newton iterations of an island: a set of strands that contacts or constraints couple.</summary>
     public uint MaxContactIterations;
-    /// <summary>Number of islands that did not converge.</summary>
+    /// <summary>
+    /// Number of islands that did not converge. Includes those in which a contact or constraint yields by more than a fifth of the contact
+    /// tolerance, and those that are left deep in strands outside them.
+    /// </summary>
     public uint UnconvergedIslands;
     /// <summary>Total number of sweeps of the contact solver.</summary>
     public ulong ContactSweeps;
