@@ -22,9 +22,10 @@ pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], toleran
 }
 
 /// Whether the strands of a contact that holds are no longer there: where they are nearest, near its points, their surfaces are further
-/// apart than `tolerance` and the strands' thickness. What still presses them then is a plane that is not between them.
+/// apart than the sum of their radii and `tolerance`. What still presses them then is a plane that is not between them.
 pub fn has_departed(constraint: &StepConstraint, strands: &[ConstrainedStrand], tolerance: f64) -> bool {
     let (ConstraintKind::Hair { margin, .. }, Some(second)) = (constraint.kind, constraint.second) else { return false };
+    // Between the centrelines.
     let far = 2.0 * margin.max(0.0) + tolerance;
     let ends = [constraint.first, second];
     let [a, b] = ends.map(|end| ConstrainedStep::place(strands[end.strand as usize].step.now(), &end.material_point));

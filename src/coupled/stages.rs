@@ -207,7 +207,7 @@ impl CoupledStep {
             islands.iter_mut().for_each(|island| island.reject_risen(strands, stepping.h));
             #[cfg(test)]
             for strand in strands.iter_mut().filter(|strand| Some(strand.index) == self.risen) {
-                islands[strand.island as usize].reject(strand);
+                islands[strand.island as usize].progress.ending.reject(strand);
             }
         }
         Some(Stage::Depths)

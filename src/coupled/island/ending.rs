@@ -83,6 +83,11 @@ impl Ending {
         self.outcome = self.outcome.min(outcome);
     }
 
+    /// Rejects the end of a strand, and with it that of its island.
+    pub fn reject(&mut self, strand: &mut ConstrainedStrand) {
+        (strand.residual, self.outcome) = (f64::INFINITY, Outcome::Diverged);
+    }
+
     /// Takes back that it has converged: something has turned out otherwise since.
     pub fn doubt(&mut self) {
         self.lower_to(Outcome::AttemptConverged);
@@ -120,15 +125,9 @@ impl Island {
         for strand in &self.strands {
             let strand = &mut strands[*strand as usize];
             if strand.has_risen(step) {
-                (strand.residual, self.progress.ending.outcome) = (f64::INFINITY, Outcome::Diverged);
+                self.progress.ending.reject(strand);
             }
         }
-    }
-
-    /// The same of one strand, for tests.
-    #[cfg(test)]
-    pub fn reject(&mut self, strand: &mut ConstrainedStrand) {
-        (strand.residual, self.progress.ending.outcome) = (f64::INFINITY, Outcome::Diverged);
     }
 
     /// Goes on from where it is: one of its strands has been moved.

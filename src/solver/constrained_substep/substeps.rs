@@ -2,7 +2,7 @@
 //! are small, which costs little. Each half begins where the one before has ended; halves are halved again as often as the
 //! steps of unconstrained strands ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The
 //! other strands are already at the end and are not seen meanwhile: an island that ends deeper in them than before keeps its
-//! end of the whole substep. Where it has none, since it has diverged, strands that are left deep count as unconverged.
+//! end of the whole substep. It has none where it has diverged. Strands that are left deep count as unconverged.
 
 use super::account::{Account, ContactTally};
 use super::{ConstrainedSubstep, Scene};

@@ -46,10 +46,9 @@ impl Things {
         if scene.allow_overlaps || self.bodies.is_empty() {
             return Ok(());
         }
-        let left = DrawnInside::left(Becomes::Parted, &solver.overlaps(&self.strands)?);
-        let to_keep = "\"allow_overlaps\": true in \"contact\"";
-        if let Some(warning) = left.and_then(|left| left.warning(self.strands.len(), "colliders", to_keep)) {
-            eprintln!("warning: {}: {warning}", path.display());
+        if let Some(left) = DrawnInside::left(Becomes::Parted, &solver.overlaps(&self.strands)?) {
+            let to_keep = "\"allow_overlaps\": true in \"contact\"";
+            left.warn(&path.display().to_string(), self.strands.len(), "colliders", to_keep);
         }
         Ok(())
     }

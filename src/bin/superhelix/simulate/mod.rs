@@ -79,10 +79,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     }
     let ids = solver.add_strands(&definitions)?;
     let (body_id, drawn_inside) = arguments.bodies.begin(&mut solver, &ids, &strands, contact, body.as_ref())?;
-    if let (Some(drawn), Some(body), false) = (&drawn_inside, &body, arguments.quiet)
-        && let Some(warning) = drawn.warning(strands.len(), &body.report.mesh, "--allow-overlaps (--drawn-inside kept)")
-    {
-        eprintln!("warning: {}: {warning}", arguments.groom.display());
+    if let (Some(drawn), Some(body), false) = (&drawn_inside, &body, arguments.quiet) {
+        let to_keep = "--allow-overlaps (--drawn-inside kept)";
+        drawn.warn(&arguments.groom.display().to_string(), strands.len(), &body.report.mesh, to_keep);
     }
     let mut style = Style::new(body.as_ref().map(HeadBody::shape), arguments.fps);
 

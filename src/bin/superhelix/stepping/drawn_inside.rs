@@ -64,8 +64,8 @@ impl DrawnInside {
         Self { becomes, strands: 0, deepest: 0.0, moved: 0.0, left: 0 }
     }
 
-    /// A line for people before the first step: how many of all strands lose their shape, and what lets them keep it. None where none does.
-    pub fn warning(&self, strands: usize, body: &str, to_keep: &str) -> Option<String> {
+    /// One line on standard error before the first step when strands lose their shape: how many of all, and what lets them keep it.
+    pub fn warn(&self, name: &str, strands: usize, body: &str, to_keep: &str) {
         let lost = match self.becomes {
             Becomes::BroughtOut if self.moved > INSIDE => {
                 let stay = match self.left {
@@ -75,10 +75,12 @@ impl DrawnInside {
                 format!("they are drawn again outside it, by up to {:.1} mm{stay}. To leave them as drawn", self.moved * 1e3)
             }
             Becomes::Parted => "contact pushes them out, and they lose their shape. To let them keep it".into(),
-            Becomes::BroughtOut | Becomes::Kept => return None,
+            Becomes::BroughtOut | Becomes::Kept => return,
         };
         let (inside, deepest) = (self.strands, self.deepest * 1e3);
-        Some(format!("{inside} of {strands} strands are drawn up to {deepest:.1} mm inside {body}; {lost}: {to_keep}"))
+        eprintln!(
+            "warning: {name}: {inside} of {strands} strands are drawn up to {deepest:.1} mm inside {body}; {lost}: {to_keep}"
+        );
     }
 
     /// The report's line.
