@@ -1,11 +1,11 @@
 //! Where memory runs out: calls of the C API whose memory grows with the host's numbers report it, change nothing and leak nothing. Two allocators: one that
-//! has a fixed number of bytes, like `ulimit -v`, and one that refuses the n-th large block.
+//! has a fixed number of bytes, like `ulimit -v`, and one that refuses the n-th large block. Neither counts what the test harness's thread does meanwhile.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::ffi::c_void;
 use std::ptr::{null, null_mut};
-use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering};
 
 use superhelix::internals::capi::bodies::{shx_solver_add_bodies, shx_solver_body_count};
 use superhelix::internals::capi::body_def::{SHX_SHAPE_MESH, shx_body_def, shx_body_def_init};
@@ -28,31 +28,58 @@ const SLACK: usize = 1 << 20;
 
 struct Scarce;
 
-static HELD: AtomicUsize = AtomicUsize::new(0);
+/// Bytes allocated less bytes freed, but for the harness's thread.
+static HELD: AtomicIsize = AtomicIsize::new(0);
 static BUDGET: AtomicUsize = AtomicUsize::new(usize::MAX);
 /// Large blocks until one is refused; negative: none is.
 static UNTIL: AtomicI64 = AtomicI64::new(-1);
+
+thread_local! {
+    static MARK: u8 = const { 0 };
+}
+/// Where the first thread of the process to allocate, which is the harness's, has its mark.
+static HARNESS: AtomicUsize = AtomicUsize::new(0);
+
+/// Whether this thread's allocations count. The harness's main thread keeps its books while the test runs.
+fn counts() -> bool {
+    MARK.with(|mark| {
+        let here = std::ptr::from_ref(mark).addr();
+        match HARNESS.compare_exchange(0, here, Ordering::Relaxed, Ordering::Relaxed) {
+            Ok(_) => false,
+            Err(harness) => harness != here,
+        }
+    })
+}
+
+/// Bytes that are held now.
+fn held() -> usize {
+    usize::try_from(HELD.load(Ordering::Relaxed)).unwrap_or(0)
+}
 
 fn refuses(size: usize) -> bool {
     if size >= LARGE && UNTIL.load(Ordering::Relaxed) >= 0 && UNTIL.fetch_sub(1, Ordering::Relaxed) == 0 {
         return true;
     }
     let slack = if size >= LARGE { 0 } else { SLACK };
-    HELD.load(Ordering::Relaxed).saturating_add(size) > BUDGET.load(Ordering::Relaxed).saturating_add(slack)
+    held().saturating_add(size) > BUDGET.load(Ordering::Relaxed).saturating_add(slack)
 }
 
 // SAFETY: hands everything on to the system's allocator, or refuses it as an allocator may.
 unsafe impl GlobalAlloc for Scarce {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        if refuses(layout.size()) {
-            return null_mut();
+        if counts() {
+            if refuses(layout.size()) {
+                return null_mut();
+            }
+            HELD.fetch_add(layout.size().cast_signed(), Ordering::Relaxed);
         }
-        HELD.fetch_add(layout.size(), Ordering::Relaxed);
         // SAFETY: the caller's layout.
         unsafe { System.alloc(layout) }
     }
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Ordering::Relaxed);
+        if counts() {
+            HELD.fetch_sub(layout.size().cast_signed(), Ordering::Relaxed);
+        }
         // SAFETY: the caller's pointer and layout.
         unsafe { System.dealloc(pointer, layout) }
     }
@@ -109,8 +136,8 @@ fn starve(what: &str, mut make: impl FnMut() -> *mut shx_solver, mut call: impl 
     loop {
         let solver = make();
         let before = state(solver);
-        let held = HELD.load(Ordering::Relaxed);
-        BUDGET.store(held + budget, Ordering::Relaxed);
+        let before_call = held();
+        BUDGET.store(before_call + budget, Ordering::Relaxed);
         let result = call(solver);
         BUDGET.store(usize::MAX, Ordering::Relaxed);
         if result == SHX_OK {
@@ -122,7 +149,7 @@ fn starve(what: &str, mut make: impl FnMut() -> *mut shx_solver, mut call: impl 
         assert_eq!(state(solver), before, "{what}, {budget} bytes");
         refused += 1;
         // Lists that grew keep their room; nothing else may stay.
-        let left = HELD.load(Ordering::Relaxed).saturating_sub(held);
+        let left = held().saturating_sub(before_call);
         assert!(left <= budget, "{what}: {left} bytes stay of {budget}");
         // And with memory it works on the same solver.
         assert_eq!(call(solver), SHX_OK, "{what}, afterwards");
@@ -160,6 +187,11 @@ fn starve(what: &str, mut make: impl FnMut() -> *mut shx_solver, mut call: impl 
 // One test: the allocator is the process's.
 #[test]
 fn calls_that_find_no_memory_say_so_and_change_nothing() {
+    // On a thread of its own, since the harness may run a lone test on its main thread.
+    std::thread::Builder::new().spawn(every_call).expect("a thread").join().expect("the thread's tests");
+}
+
+fn every_call() {
     const COUNT: usize = 12_000;
     let defs = strands(COUNT);
     let mut ids = vec![shx_strand_id { bits: 0 }; COUNT];
@@ -271,7 +303,7 @@ fn budgets_only(what: &str, make: impl Fn() -> *mut shx_solver, mut call: impl F
     loop {
         let solver = make();
         let before = state(solver);
-        BUDGET.store(HELD.load(Ordering::Relaxed) + budget, Ordering::Relaxed);
+        BUDGET.store(held() + budget, Ordering::Relaxed);
         let result = call(solver);
         BUDGET.store(usize::MAX, Ordering::Relaxed);
         if result != SHX_OK {
