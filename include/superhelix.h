@@ -640,7 +640,8 @@ typedef struct shx_step_report {
   // Largest number of Newton iterations of an island: a set of strands that contacts or constraints couple.
   uint32_t max_contact_iterations;
   // Number of islands that did not converge. Includes those in which a contact or constraint yields by more
-  // than a fifth of the contact tolerance, and those that are left deep in strands outside them.
+  // than a fifth of the contact tolerance, and those that take the step in substeps and are left deep in a
+  // body, or in a strand outside the island.
   uint32_t unconverged_islands;
   // Total number of sweeps of the contact solver.
   uint64_t contact_sweeps;

@@ -58,7 +58,8 @@ pub struct shx_step_report {
     /// Largest number of Newton iterations of an island: a set of strands that contacts or constraints couple.
     pub max_contact_iterations: u32,
     /// Number of islands that did not converge. Includes those in which a contact or constraint yields by more
-    /// than a fifth of the contact tolerance, and those that are left deep in strands outside them.
+    /// than a fifth of the contact tolerance, and those that take the step in substeps and are left deep in a
+    /// body, or in a strand outside the island.
     pub unconverged_islands: u32,
     /// Total number of sweeps of the contact solver.
     pub contact_sweeps: u64,

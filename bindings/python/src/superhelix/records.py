@@ -293,7 +293,8 @@ class StepReport(Record):
     )
     unconverged_islands = IntField(
         "Number of islands that did not converge. Includes those in which a contact or constraint yields by more than a fifth of "
-        "the contact tolerance, and those that are left deep in strands outside them."
+        "the contact tolerance, and those that take the step in substeps and are left deep in a body, or in a strand outside the "
+        "island."
     )
     contact_sweeps = IntField("Total number of sweeps of the contact solver.")
     max_contact_residual = FloatField("Largest residual of the contact and friction laws: see ContactOptions.residual.")

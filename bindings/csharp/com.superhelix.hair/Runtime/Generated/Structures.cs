@@ -162,7 +162,7 @@ namespace Superhelix
     public uint MaxContactIterations;
     /// <summary>
     /// Number of islands that did not converge. Includes those in which a contact or constraint yields by more than a fifth of the contact
-    /// tolerance, and those that are left deep in strands outside them.
+    /// tolerance, and those that take the step in substeps and are left deep in a body, or in a strand outside the island.
     /// </summary>
     public uint UnconvergedIslands;
     /// <summary>Total number of sweeps of the contact solver.</summary>
