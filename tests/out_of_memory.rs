@@ -35,12 +35,13 @@ static BUDGET: AtomicUsize = AtomicUsize::new(usize::MAX);
 static UNTIL: AtomicI64 = AtomicI64::new(-1);
 
 thread_local! {
+    /// Its address tells threads apart.
     static MARK: u8 = const { 0 };
 }
 /// Where the first thread of the process to allocate, which is the harness's, has its mark.
 static HARNESS: AtomicUsize = AtomicUsize::new(0);
 
-/// Whether this thread's allocations count. The harness's main thread keeps its books while the test runs.
+/// Whether this thread's allocations count. The harness's own thread also allocates while the test runs.
 fn counts() -> bool {
     MARK.with(|mark| {
         let here = std::ptr::from_ref(mark).addr();
@@ -188,7 +189,7 @@ fn starve(what: &str, mut make: impl FnMut() -> *mut shx_solver, mut call: impl 
 #[test]
 fn calls_that_find_no_memory_say_so_and_change_nothing() {
     // On a thread of its own, since the harness may run a lone test on its main thread.
-    std::thread::Builder::new().spawn(every_call).expect("a thread").join().expect("the thread's tests");
+    std::thread::spawn(every_call).join().expect("every call passes");
 }
 
 fn every_call() {
