@@ -583,7 +583,8 @@ typedef struct shx_step_limits {
   // Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of
   // one core. Work is counted, not timed, so results are identical to the bit on every machine and for any
   // number of threads. 0 (default): shx_solver_options.max_work, or where that is 0 too 500 per element,
-  // and at least 450000: less than half a second of one core for up to 900 elements.
+  // and at least 450000: about half a second of one core for up to 900 elements, up to three times that in
+  // a tangle.
   uint64_t max_work;
   // Maximum duration of the call, s. Results then depend on the clock. 0 (default):
   // shx_solver_options.max_seconds, or where that is 0 too no limit. A step needs some time to finish after

@@ -124,6 +124,7 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
     )?;
     let (mut milliseconds, mut contacts, mut iterations, mut unconverged) = (Vec::new(), 0.0, 0.0, 0);
     let (mut searched, mut found) = (Vec::new(), 0.0);
+    let mut work = 0.0;
     for step in 0..CALM + steps {
         let at = (step + 1) as f64 * STEP;
         let (turn, shift) = match scene.head {
@@ -146,6 +147,7 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
         contacts += f64::from(report.contact.contacts) / steps as f64;
         iterations += report.mean_iterations / steps as f64;
         unconverged += report.unconverged;
+        work += report.work as f64;
         searched.push(searching * 1e3);
         found += count as f64 / steps as f64;
     }
@@ -153,9 +155,10 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
         values.sort_by(f64::total_cmp);
         values[values.len() / 2]
     };
+    let units = 1e-3 * work / milliseconds.iter().sum::<f64>();
     let (step, search) = (median(&mut milliseconds), median(&mut searched));
     Ok(format!(
-        "{},\"{name}\",{},{contacts:.0},{step:.2},{:.1},{iterations:.2},{found:.0},{search:.3},{:.2},{unconverged}",
+        "{},\"{name}\",{},{contacts:.0},{step:.2},{:.1},{iterations:.2},{found:.0},{search:.3},{:.2},{units:.2},{unconverged}",
         scene.case,
         scene.defs.len(),
         1e3 * step / contacts.max(1.0),
@@ -166,7 +169,7 @@ fn row(scene: &Scene, (model, max_iterations, name): (ContactModel, u32, &str), 
 /// The table; `quick`: its smallest rows, a few steps.
 pub fn table(head: &Arc<Shape>, quick: bool) -> Outcome<String> {
     let mut csv = String::from(
-        "case,model,strands,contacts,ms_a_step,us_a_contact,iterations,contacts_found,search_ms,search_us_a_contact_found,unconverged\n",
+        "case,model,strands,contacts,ms_a_step,us_a_contact,iterations,contacts_found,search_ms,search_us_a_contact_found,units_a_us,unconverged\n",
     );
     let (rows, steps) = if quick { (1, 4) } else { (TUFTS.len(), STEPS) };
     let mut add = |scene: &Scene| -> Outcome<()> {

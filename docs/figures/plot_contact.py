@@ -54,10 +54,10 @@ def rest():
 
 def scaling():
     lines = [("tufts of 16 strands" if row["case"] == "tufts" else "one head", row["model"], row["strands"], row["contacts"], row["ms_a_step"], row["us_a_contact"],
-              row["contacts_found"], row["search_ms"], row["search_us_a_contact_found"], row["unconverged"])
+              row["contacts_found"], row["search_ms"], row["search_us_a_contact_found"], row["units_a_us"], row["unconverged"])
              for row in rows("contact_scaling.csv")]
     show(table(("scene", "model", "strands", "contacts", "ms per step", "µs per contact", "contacts found by a search", "ms a search",
-                "µs per contact found", "unconverged strand steps, of 30 each"), lines), "scaling", "notebook/contact.md")
+                "µs per contact found", "units of work per µs", "unconverged strand steps, of 30 each"), lines), "scaling", "notebook/contact.md")
 
 
 def walk():

@@ -43,8 +43,8 @@ const RISEN: f64 = 1e-6;
 
 /// Cost of half an iteration: per element, per attached point and element, and per pair of attached points, in nanoseconds or
 /// so.
-const WORK_AN_ELEMENT: u64 = 700;
-const WORK_A_COLUMN: u64 = 60;
+const WORK_AN_ELEMENT: u64 = 450;
+const WORK_A_COLUMN: u64 = 50;
 const WORK_A_COUPLING: u64 = 10;
 
 /// One end of a constraint on a strand.
@@ -171,10 +171,10 @@ impl ConstrainedStrand {
     }
 
     /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate; elements that have moved by no
-    /// more than `unseen` (m) since the last search are passed over.
-    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64, unseen: f64) {
+    /// more than `unseen` (m) since the last search are passed over. Returns the cost, nanoseconds or so.
+    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64, unseen: f64) -> u64 {
         if self.meets == Meets::Nothing {
-            return;
+            return 0;
         }
         let path = path_of(self.index, &self.step, self.permitted_overlap.as_deref());
         let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
@@ -184,13 +184,13 @@ impl ConstrainedStrand {
         self.unmoved.clear();
         self.unmoved.extend(self.step.gone_by_element.iter().map(|gone| !all && *gone <= unseen));
         let unmoved = &self.unmoved;
-        let mut other;
+        let (mut work, mut other) = (0, None);
         for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
             if let Some(motion) = self.body_motions.get(index) {
-                other = body.with_motion(*motion);
-                body = &other;
+                body = other.insert(body.with_motion(*motion));
             }
-            strand_body::contacts(&path, &self.bounds, Span { exempt, unmoved }, radius, body, within, scratch, &mut self.found);
+            let span = Span { exempt, unmoved };
+            work += strand_body::contacts(&path, &self.bounds, span, radius, body, within, scratch, &mut self.found);
         }
         if self.unmoved.first() != Some(&true) {
             self.root_gap = f64::INFINITY;
@@ -208,6 +208,7 @@ impl ConstrainedStrand {
                 && (along(next) - along(last)).abs() <= ONE_PLACE
                 && next.normal.dot(&last.normal) > ONE_SIDE
         });
+        work
     }
 
     /// Whether some point of it has moved further than `least` (m) since it was last searched for contacts.

@@ -49,9 +49,8 @@ const DEEPEST: f64 = 0.1;
 const UNSEEN: f64 = 0.1;
 /// A solve leaves no larger spurious force than this many times its residual in units of the strand's weight.
 const LEFT_OVER: f64 = 2.0;
-/// Cost of the search of an element near bodies, and of a pair of chords of strands, nanoseconds or so.
-const WORK_AN_ELEMENT: u64 = 1000;
-const WORK_A_CANDIDATE: u64 = 1000;
+/// Cost of a pair of chords of strands and of the search for such pairs, nanoseconds or so.
+const WORK_A_CANDIDATE: u64 = 600;
 
 /// Pairs of strands per task.
 const PAIRS_PER_TASK: usize = 32;
@@ -138,8 +137,7 @@ impl ContactDetection {
         if !stepping.bodies.is_empty() {
             stepping.workers.for_each(strands, |constrained, _| {
                 if constrained.has_gone(unseen) && !stepping.meter.is_halted() {
-                    constrained.find_bodies(stepping.bodies, NEAR, unseen);
-                    stepping.meter.spend(constrained.path().now.elements.len() as u64 * WORK_AN_ELEMENT);
+                    stepping.meter.spend(constrained.find_bodies(stepping.bodies, NEAR, unseen));
                     permitted_overlaps::reduce_body_contacts(constrained, NEAR);
                 }
             });

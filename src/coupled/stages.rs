@@ -23,7 +23,7 @@ const LETS_GO: u32 = 1;
 const LETS_GO_ITERATIONS: u64 = 20;
 
 /// Cost of a constraint found by a search, nanoseconds or so.
-const WORK_A_CONSTRAINT: u64 = 3000;
+const WORK_A_CONSTRAINT: u64 = 1000;
 
 /// A stage of a coupled step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

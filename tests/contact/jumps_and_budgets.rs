@@ -288,7 +288,7 @@ fn diverged_strands_return() {
 }
 
 /// The work of a step grows with the strands as they need it. Curls that stand on a ball shaken as hard as a head can be (0.5 rad at 2 Hz) need more than
-/// that: 14 of a hundred strand steps are left; with 200 units for every element beyond the 2280th instead of 500 it is 32. (Strands
+/// that: 13 of a hundred strand steps are left; with two fifths of the work for an element beyond the 2280th it was 32. (Strands
 /// that are left fall behind and need more in the next step, so that one shake says little, and five differ by a tenth: the mean of twenty.)
 #[test]
 fn the_usual_work_grows_with_the_work_that_strands_need() {

@@ -60,17 +60,18 @@ fn swing(spacing: f64, overlaps_are_permitted: bool) -> Swing {
     swing
 }
 
-/// Hardly a step is cut. (With 136,800 units for as many elements all of them were, and all strands unconverged.)
+/// No step is cut, and few strand steps are unconverged for any other reason. (With 136,800 units for as many elements all were. The
+/// dearest step takes half of what it may.)
 #[test]
 fn the_usual_work_is_enough_for_tufts_that_swing() {
     let Swing { left, unconverged, .. } = swing(2.4, false);
-    assert!(left < 384 && unconverged < 400, "{left} left, {unconverged} unconverged");
+    assert!(left == 0 && unconverged < 40, "{left} left, {unconverged} unconverged");
 }
 
 /// Wisps that are rooted in each other, as they are permitted to be: as easy as others, and no contact force grows beyond what hair can exert.
 #[test]
 fn tufts_of_wisps_that_are_rooted_in_each_other_swing() {
     let Swing { left, unconverged, strongest, .. } = swing(0.6, true);
-    assert!(left < 384 && unconverged < 400, "{left} left, {unconverged} unconverged");
+    assert!(left == 0 && unconverged < 40, "{left} left, {unconverged} unconverged");
     assert!(strongest < 0.1, "{strongest} N");
 }

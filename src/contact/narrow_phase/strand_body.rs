@@ -36,6 +36,13 @@ const MAX_PIECES: usize = 64;
 /// valid for a while.
 const MARGIN: f64 = 0.3;
 
+/// Costs of a search in nanoseconds or so: of an element's bounds; of an element that may be near; of each of its nodes; and
+/// of each triangle about it, for every node.
+const WORK_A_BOUND: u64 = 100;
+const WORK_AN_ELEMENT: u64 = 200;
+const WORK_A_NODE: u64 = 400;
+const WORK_A_TRIANGLE: u64 = 120;
+
 /// The part of a strand that takes part in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Span<'a> {
@@ -46,8 +53,8 @@ pub struct Span<'a> {
 }
 
 /// Finds the contacts of a strand with a body at the present iterate, up to a gap of `within` (m), and appends them to `out`,
-/// sorted by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Nothing is allocated once the
-/// lists have grown.
+/// sorted by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Returns the cost in nanoseconds or
+/// so. Nothing is allocated once the lists have grown.
 ///
 /// Every local minimum of the distance along an element is a contact, and every end of an element that is near enough and not
 /// steep above a nearer point (the end between two elements belongs to the first). A strand that passed through the body during
@@ -63,13 +70,14 @@ pub fn contacts(
     within: f64,
     scratch: &mut BodySearchScratch,
     out: &mut Vec<ContactPoint>,
-) {
+) -> u64 {
     let thickness = radius + body.thickness;
     let (margin, slack) = (thickness + within, turning_slack(bounds, body));
     if body.is_clear_of(&bounds.whole, margin, slack) {
-        return;
+        return WORK_A_BOUND;
     }
-    let mut search = Search { path, body, thickness, within, inside: None, first: true, scratch, out };
+    let work = WORK_A_BOUND * path.now.elements.len() as u64;
+    let mut search = Search { path, body, thickness, within, inside: None, first: true, work, scratch, out };
     let mut from_root = 0.0;
     for (element, state) in path.now.elements.iter().enumerate() {
         let low = (span.exempt - from_root).max(0.0);
@@ -88,6 +96,7 @@ pub fn contacts(
         }
         search.first = false;
     }
+    search.work
 }
 
 /// How far the paths of a strand's points that are straight in the body's turning axes may leave those straight in the world,
@@ -114,12 +123,15 @@ struct Search<'a, 'b> {
     inside: Option<bool>,
     /// Whether the element is the first that takes part in contact: its left end is no element's right end.
     first: bool,
+    /// The cost so far.
+    work: u64,
     scratch: &'b mut BodySearchScratch,
     out: &'b mut Vec<ContactPoint>,
 }
 
 impl Search<'_, '_> {
     fn element(&mut self, index: usize, low: f64, high: f64) {
+        self.work += WORK_AN_ELEMENT;
         let path = ElementPath::new(&self.path.start, &self.path.now, index, self.body);
         let shape = self.body.shape;
         let mesh = shape.mesh();
@@ -158,6 +170,8 @@ impl Search<'_, '_> {
         let patch = std::mem::take(&mut self.scratch.patch);
         let mut nodes = std::mem::take(&mut self.scratch.nodes);
         let mut hits = std::mem::take(&mut self.scratch.hits);
+        let triangles = if mesh.is_some() { patch.triangles.len() as u64 } else { 0 };
+        self.work += nodes.len() as u64 * (WORK_A_NODE + WORK_A_TRIANGLE * triangles);
         let ground = Ground { body: self.body, mesh, patch: &patch, reach, hint: Cell::default() };
         hits.clear();
         match mesh {

@@ -42,9 +42,9 @@ const FEW: usize = 40;
 
 /// Costs in nanoseconds or so: of a row's law and its preparation; of a row in another's column of K; and the number of
 /// multiplications of an elimination per nanosecond.
-const WORK_A_ROW: u64 = 500;
-const WORK_A_BLOCK: u64 = 60;
-const MULTIPLICATIONS: u64 = 4;
+const WORK_A_ROW: u64 = 200;
+const WORK_A_BLOCK: u64 = 25;
+const MULTIPLICATIONS: u64 = 10;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy)]

@@ -15,6 +15,9 @@ use crate::contact::constraint::law::Law;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
 
+/// What setting up a problem costs and the test for convergence after its solve, in sweeps.
+const SET_UP: u64 = 8;
+
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
@@ -127,7 +130,7 @@ impl GaussSeidel {
             }
         }
         let sweep_work = system.sweep_work();
-        let mut report = Report { work: sweep_work, ..Report::default() };
+        let mut report = Report { work: SET_UP * sweep_work, ..Report::default() };
         let most = if system.blocks() == 1 { ONE_BLOCK } else { WHOLE };
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
         let mut last = f64::INFINITY;

@@ -28,8 +28,8 @@ const STEP: f64 = 0.7;
 const LONG: f64 = 0.3;
 
 /// Costs in nanoseconds or so of a contact's scaling, and the number of multiplications of an elimination per nanosecond.
-const WORK_A_CONTACT: u64 = 1000;
-const MULTIPLICATIONS: u64 = 4;
+const WORK_A_CONTACT: u64 = 700;
+const MULTIPLICATIONS: u64 = 6;
 
 type Three = Vector3<f64>;
 

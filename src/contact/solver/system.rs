@@ -57,8 +57,8 @@ pub struct System {
 }
 
 /// Cost of a row in a sweep, and of each coordinate that its force displaces, nanoseconds or so.
-const SWEEP_A_ROW: u64 = 150;
-const SWEEP_A_COORDINATE: u64 = 2;
+const SWEEP_A_ROW: u64 = 70;
+const SWEEP_A_COORDINATE: u64 = 1;
 
 /// A contact counts as fixed if bilateral constraints reduce its response to this fraction of its points' own.
 const FIXED: f64 = 1e-12;

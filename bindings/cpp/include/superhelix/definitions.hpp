@@ -283,7 +283,8 @@ struct step_limits : shx_step_limits {
 
   // Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of one core. Work is counted, not
   // timed, so results are identical to the bit on every machine and for any number of threads. 0 (default): shx_solver_options.max_work, or
-  // where that is 0 too 500 per element, and at least 450000: less than half a second of one core for up to 900 elements.
+  // where that is 0 too 500 per element, and at least 450000: about half a second of one core for up to 900 elements, up to three times
+  // that in a tangle.
   step_limits &with_max_work(std::uint64_t value) {
     max_work = value;
     return *this;

@@ -194,8 +194,8 @@ namespace Superhelix
     /// <summary>
     /// Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of one core. Work is counted,
     /// not timed, so results are identical to the bit on every machine and for any number of threads. 0 (default):
-    /// shx_solver_options.max_work, or where that is 0 too 500 per element, and at least 450000: less than half a second of one core for up
-    /// to 900 elements.
+    /// shx_solver_options.max_work, or where that is 0 too 500 per element, and at least 450000: about half a second of one core for up to
+    /// 900 elements, up to three times that in a tangle.
     /// </summary>
     public ulong MaxWork
     {
