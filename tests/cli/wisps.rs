@@ -144,6 +144,8 @@ fn hair_drawn_inside_a_head_is_brought_out() {
         assert_eq!(report["report"]["quarantined"], 0);
         println!("{flags:?}: {} {}", report["drawn_inside"], report["style"]);
         let inside = &report["style"]["inside"];
+        let [deepest, at_start] = ["deepest", "deepest_at_start"].map(|key| inside[key].as_f64().unwrap());
+        assert!(at_start <= deepest && (at_start > 2e-3) == (inside["share_at_start"] != 0.0), "{inside}");
         (
             report["drawn_inside"].clone(),
             inside["share_at_start"].as_f64().unwrap(),

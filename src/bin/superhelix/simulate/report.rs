@@ -150,7 +150,7 @@ impl SimulateReport {
         );
         if let Some(contact) = &report.contact {
             text += &format!(
-                "contacts: {:.0} a step (at most {}), {:.4} mm deep at most, residual {:.1e}, {} searches and {} sweeps, unconverged: {}\n",
+                "contacts: {:.0} a step (at most {}), {:.4} mm deep at most, residual {:.1e}, {} searches and {} sweeps, islands unconverged: {}\n",
                 contact.contacts_mean,
                 contact.contacts_max,
                 contact.penetration_max * 1e3,
@@ -175,10 +175,12 @@ impl SimulateReport {
         );
         if let Some(inside) = &style.inside {
             text += &format!(
-                "inside the body by more than 2 mm: {:.2} % of the points ({:.2} % at the start), {:.1} mm at most\n",
+                "inside the body by more than 2 mm, roots included: {:.2} % of the points ({:.2} % at the start), {:.1} mm at most \
+                 ({:.1} mm at the start)\n",
                 inside.share * 1e2,
                 inside.share_at_start * 1e2,
-                inside.deepest * 1e3
+                inside.deepest * 1e3,
+                inside.deepest_at_start * 1e3
             );
         }
         if let Some(cache) = &self.cache {

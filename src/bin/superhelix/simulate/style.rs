@@ -26,12 +26,14 @@ pub struct StyleReport {
 /// What lay in a body.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct InsideReport {
-    /// The share of all points, of all frames, that were more than 2 mm inside.
+    /// The share of all points, of all frames, that were more than 2 mm inside. Roots count: those that are drawn inside stay there.
     pub share: f64,
     /// The same at the start.
     pub share_at_start: f64,
     /// The deepest, m.
     pub deepest: f64,
+    /// The same at the start, m.
+    pub deepest_at_start: f64,
 }
 
 /// A style that is watched.
@@ -46,13 +48,14 @@ pub struct Style<'a> {
     inside_at_start: u64,
     seen: u64,
     deepest: f64,
+    deepest_at_start: f64,
 }
 
 impl<'a> Style<'a> {
     /// To be watched `fps` times a second, beside a body that moves with the head.
     pub fn new(body: Option<&'a Shape>, fps: f64) -> Self {
         let (drawn, now) = (Vec::new(), Vec::new());
-        Self { body, fps, drawn, now, fastest: 0.0, inside: 0, inside_at_start: 0, seen: 0, deepest: 0.0 }
+        Self { body, fps, drawn, now, fastest: 0.0, inside: 0, inside_at_start: 0, seen: 0, deepest: 0.0, deepest_at_start: 0.0 }
     }
 
     /// Looks at the solver's present state, with the head at `pose`.
@@ -77,7 +80,7 @@ impl<'a> Style<'a> {
         }
         if self.drawn.is_empty() {
             self.drawn.clone_from(&self.now);
-            self.inside_at_start = self.inside;
+            (self.inside_at_start, self.deepest_at_start) = (self.inside, self.deepest);
         }
         Ok(())
     }
@@ -98,6 +101,7 @@ impl<'a> Style<'a> {
                 share: share(self.inside, self.seen),
                 share_at_start: share(self.inside_at_start, self.now.len() as u64),
                 deepest: self.deepest,
+                deepest_at_start: self.deepest_at_start,
             }),
         }
     }
