@@ -47,7 +47,7 @@ const WORK_PER_ELEMENT: u64 = 500;
 const MIN_ELEMENTS: usize = 900;
 
 /// The default work of a substep, in units: twice as much for every element as tufts of strands that cross each other take, and
-/// about half a second of one core for 900 elements and for fewer; up to a second where islands are solved in substeps.
+/// about half a second of one core for 900 elements and for fewer; up to three times that where islands are solved in substeps.
 pub fn usual_work(elements: usize) -> u64 {
     WORK_PER_ELEMENT * elements.max(MIN_ELEMENTS) as u64
 }

@@ -223,7 +223,7 @@ fn a_strand_across_an_edge_is_pushed_across_itself() {
 
 #[test]
 fn reused_lists_change_nothing() {
-    // Many strands through one scratch give what each gives with its own.
+    // Many strands through one scratch give what each gives with its own, and count as much work.
     let (vertices, triangles) = bumpy(0.05, 3);
     let shape = Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap();
     let body = at_rest(&shape, Frame::default(), 0.0);
@@ -233,9 +233,30 @@ fn reused_lists_change_nothing() {
         let moving = Moving::still(dice.cube() * 0.06, strand(&dice.rotation(), LENGTH, &[[3.0, 10.0, 5.0]; 4]));
         let path = moving.path();
         bounds.update(&path);
-        contacts(&path, &bounds, Span::default(), 1e-4, &body, 0.001, &mut scratch, &mut all);
+        let work = contacts(&path, &bounds, Span::default(), 1e-4, &body, 0.001, &mut scratch, &mut all);
+        let own = &mut BodySearchScratch::default();
+        assert_eq!(work, contacts(&path, &bounds, Span::default(), 1e-4, &body, 0.001, own, &mut Vec::new()));
         alone.extend(moving.contacts(1e-4, &body, 0.001));
     }
     assert!(all.len() > 20);
     assert_eq!(all, alone);
+}
+
+/// What a search counts as its work goes by what it looks at: nothing but bounds where the body is far, and in a dense mesh every
+/// triangle about the strand.
+#[test]
+fn the_work_of_a_search_grows_with_what_is_near() {
+    let work = |levels: usize, away: f64| {
+        let (vertices, triangles) = bumpy(0.05, levels);
+        let shape = Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap();
+        let body = at_rest(&shape, Frame::default(), 0.0);
+        let across = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5 * std::f64::consts::PI);
+        let moving = Moving::still(Vector3::new(0.05 + away, -0.04, 0.0), strand(&across, LENGTH, &[[0.0; 3]; 4]));
+        let (path, mut bounds) = (moving.path(), PathBounds::default());
+        bounds.update(&path);
+        contacts(&path, &bounds, Span::default(), 1e-4, &body, 0.001, &mut BodySearchScratch::default(), &mut Vec::new())
+    };
+    let (far, coarse, dense) = (work(3, 0.5), work(3, 0.0), work(5, 0.0));
+    println!("far {far}, coarse mesh {coarse}, dense mesh {dense}");
+    assert!(coarse > 20 * far && 2 * dense > 3 * coarse, "{far} {coarse} {dense}");
 }
