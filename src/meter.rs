@@ -46,8 +46,8 @@ pub enum Stopped {
 const WORK_PER_ELEMENT: u64 = 500;
 const MIN_ELEMENTS: usize = 900;
 
-/// The default work of a substep, in units: twice as much for every element as tufts of strands that cross each other take, and
-/// about half a second of one core for 900 elements and for fewer; up to three times that where islands are solved in substeps.
+/// The default work of a substep, in units: as much for every element as tufts of strands that cross each other need, and about half
+/// a second of one core for 900 elements and for fewer. Where islands are solved in substeps it may take up to three times as long.
 pub fn usual_work(elements: usize) -> u64 {
     WORK_PER_ELEMENT * elements.max(MIN_ELEMENTS) as u64
 }

@@ -15,7 +15,7 @@ use crate::contact::constraint::law::Law;
 use crate::meter::Meter;
 use crate::workers::WorkerSet;
 
-/// What setting up a problem costs and the test for convergence after its solve, in sweeps.
+/// Cost of setting up a problem, and of the test for convergence after its solution, in sweeps.
 const SET_UP: u64 = 8;
 
 /// When to stop.
