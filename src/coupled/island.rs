@@ -35,8 +35,10 @@ use crate::contact::solver::gauss_seidel::Report;
 use ending::{Ending, Outcome};
 pub use state::{Bilateral, Phase, Turn};
 
-/// The residual that a rough solve leaves, as a fraction of the size of the problem; the same for the penalty models.
+/// The residual that a rough solve leaves, as a fraction of the size of the problem, and the most that it leaves: a contact's force is
+/// wrong by as much of itself, and while forces change strands do not come to rest. The same fraction for the penalty models.
 const ROUGH: f64 = 1e-3;
+const ROUGHEST: f64 = 0.05;
 const SOFT: f64 = 1e-3;
 /// A strand that ends further from convergence than this, rad, has diverged.
 const DIVERGED: f64 = 0.1;
@@ -197,7 +199,7 @@ impl Island {
             ContactModel::Coulomb => options.residual,
             ContactModel::Penalty | ContactModel::RegularisedPenalty | ContactModel::AtPoints => SOFT * size,
         };
-        if self.phase.is_rough() { in_the_end.max(ROUGH * size) } else { in_the_end }
+        if self.phase.is_rough() { in_the_end.max((ROUGH * size).min(ROUGHEST)) } else { in_the_end }
     }
 
     /// Finds the points of every constraint in its strands' sorted attachments.

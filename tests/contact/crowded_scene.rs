@@ -84,5 +84,5 @@ pub fn course(
 pub const GOLDEN: [(ContactModel, bool, u64); 3] = [
     (ContactModel::Penalty, false, 0xa8ed_e08a_c1b7_01aa),
     (ContactModel::Coulomb, false, 0xd69f_0030_3d3c_2fad),
-    (ContactModel::Coulomb, true, 0x5ce5_7736_85b3_5e3b),
+    (ContactModel::Coulomb, true, 0xef7f_5b44_2393_a634),
 ];
