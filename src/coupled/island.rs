@@ -35,10 +35,12 @@ use crate::contact::solver::gauss_seidel::Report;
 use ending::{Ending, Outcome};
 pub use state::{Bilateral, Phase, Turn};
 
-/// The residual that a rough solve leaves, as a fraction of the size of the problem, and the most that it leaves: a contact's force is
-/// wrong by as much of itself, and while forces change strands do not come to rest. The same fraction for the penalty models.
+/// The residual that a rough solve leaves, as a fraction of the size of the problem.
 const ROUGH: f64 = 1e-3;
+/// The largest residual that a rough solve may leave. Forces are wrong by this fraction of themselves; where it is large they change
+/// from iteration to iteration, and strands never come to rest.
 const ROUGHEST: f64 = 0.05;
+/// The residual that the penalty models leave, as a fraction of the size of the problem.
 const SOFT: f64 = 1e-3;
 /// A strand that ends further from convergence than this, rad, has diverged.
 const DIVERGED: f64 = 0.1;
