@@ -5,13 +5,19 @@
 //!
 //! Contacts near each other on one strand move nearly alike, so that a sweep over contacts exchanges force between them in tiny
 //! fractions (1e-3 and less per sweep); a joint solve finds what they have in common at once.
+//!
+//! Files:
+//!
+//! - `interior_point.rs`: Contacts that friction jams, at once: an interior-point method on Coulomb's law itself.
+
+mod interior_point;
 
 use nalgebra::{Matrix3, Vector3};
 
+use self::interior_point::{InteriorPoint, Jammed, suitable};
 use super::contact_space::ContactSpace;
 use super::dense;
 use super::gauss_seidel::Report;
-use super::interior_point::{InteriorPoint, Jammed, suitable};
 use super::system::System;
 use crate::contact::constraint::law::LawSolve;
 use crate::contact::constraint::law::contact::Contact;

@@ -12,25 +12,39 @@ const LARGE: usize = 200;
 /// Solves A x = b by elimination with partial pivoting, in place: `a` is `b.len()`² numbers, row after row, and is used up; `b` becomes x.
 /// False where A is singular to the last bit, or `meter` halts it; `b` is of no use then.
 pub(in crate::contact) fn solve(a: &mut [f64], b: &mut [f64], meter: &Meter) -> bool {
-    f64::call(Solve { a, b, meter })
+    let n = b.len();
+    f64::call(Eliminate { a, b, pivots: n, meter }) && f64::call(Substitute { a, b, pivots: n })
 }
 
-struct Solve<'a> {
+/// The same for the first `pivots` columns only, with pivots from the first so many rows. What is left of the other rows and columns is
+/// the system without these unknowns.
+pub(in crate::contact) fn eliminate_first(a: &mut [f64], b: &mut [f64], pivots: usize, meter: &Meter) -> bool {
+    f64::call(Eliminate { a, b, pivots, meter })
+}
+
+/// After [`eliminate_first`]: `a` is its first rows, and `b` their right-hand sides, followed by the other unknowns; the first ones
+/// become the solution.
+pub(in crate::contact) fn substitute_first(a: &[f64], b: &mut [f64], pivots: usize) {
+    f64::call(Substitute { a, b, pivots });
+}
+
+struct Eliminate<'a> {
     a: &'a mut [f64],
     b: &'a mut [f64],
+    pivots: usize,
     meter: &'a Meter<'a>,
 }
 
-impl Kernel for Solve<'_> {
+impl Kernel for Eliminate<'_> {
     type Output = bool;
     #[inline(always)]
     fn run(self) -> bool {
-        let Self { a, b, meter } = self;
+        let Self { a, b, pivots, meter } = self;
         let n = b.len();
-        for from in (0..n).step_by(PANEL) {
-            let to = (from + PANEL).min(n);
+        for from in (0..pivots).step_by(PANEL) {
+            let to = (from + PANEL).min(pivots);
             // (A panel of 1200 rows takes a millisecond.)
-            if n > LARGE && meter.is_halted() || !eliminate(a, b, from, to) {
+            if n > LARGE && meter.is_halted() || !eliminate(a, b, from, to, pivots) {
                 return false;
             }
             let (done, below) = a.split_at_mut(to * n);
@@ -43,7 +57,23 @@ impl Kernel for Solve<'_> {
                 subtract(row, panel, from, to);
             }
         }
-        for k in (0..n).rev() {
+        true
+    }
+}
+
+struct Substitute<'a> {
+    a: &'a [f64],
+    b: &'a mut [f64],
+    pivots: usize,
+}
+
+impl Kernel for Substitute<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn run(self) -> bool {
+        let Self { a, b, pivots } = self;
+        let n = b.len();
+        for k in (0..pivots).rev() {
             let row = &a[k * n..(k + 1) * n];
             let known: f64 = row[k + 1..].iter().zip(&b[k + 1..]).map(|(x, y)| x * y).sum();
             b[k] = (b[k] - known) / row[k];
@@ -53,13 +83,13 @@ impl Kernel for Solve<'_> {
 }
 
 /// Eliminates the columns `from..to` from the rows below each one's pivot, in these columns and in `b`; what of each pivot's row was
-/// subtracted stays in its column. False where there is no pivot.
+/// subtracted stays in its column. Pivots are among the first `pivots` rows. False where there is none.
 #[inline(always)]
-fn eliminate(a: &mut [f64], b: &mut [f64], from: usize, to: usize) -> bool {
+fn eliminate(a: &mut [f64], b: &mut [f64], from: usize, to: usize, pivots: usize) -> bool {
     let n = b.len();
     for k in from..to {
         let mut best = k;
-        for i in k + 1..n {
+        for i in k + 1..pivots {
             if a[i * n + k].abs() > a[best * n + k].abs() {
                 best = i;
             }
@@ -149,7 +179,7 @@ impl Factors {
 
     /// Solves A x = b: `b` becomes x.
     pub fn solve(&self, b: &mut [f64]) {
-        f64::call(Substitute { factors: self, b });
+        f64::call(SubstituteBoth { factors: self, b });
     }
 }
 
@@ -190,12 +220,12 @@ impl Kernel for Factorise<'_> {
     }
 }
 
-struct Substitute<'a> {
+struct SubstituteBoth<'a> {
     factors: &'a Factors,
     b: &'a mut [f64],
 }
 
-impl Kernel for Substitute<'_> {
+impl Kernel for SubstituteBoth<'_> {
     type Output = ();
     #[inline(always)]
     fn run(self) {

@@ -1,7 +1,7 @@
 //! The contact-space problem solved by nonsmooth block Gauss–Seidel: contact after contact, each by its law's exact solve
 //! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated (`conjugate.rs`). Small
 //! problems, and patches of large ones where that is slow, are solved by Newton's iteration on all their contacts at once
-//! (`block_newton.rs`).
+//! (`block_newton.rs`), and large ones as a whole from near their solution (`sparse_newton.rs`).
 
 use nalgebra::Vector3;
 
@@ -10,6 +10,7 @@ use super::block_newton::{BlockNewton, Goal};
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::patch::Patches;
+use super::sparse_newton::SparseNewton;
 use super::system::System;
 use crate::contact::constraint::law::Law;
 use crate::meter::Meter;
@@ -90,6 +91,14 @@ const ROUND: u32 = 20;
 const SLOW: f64 = 0.5;
 /// Patches are of use only near the solution: elsewhere a patch, at the cost of some sweeps, is soon undone by others.
 const NEAR: f64 = 0.1;
+/// A large problem whose residual is less than this is solved as a whole from where it is,
+const CLOSE: f64 = 0.1;
+/// if the tolerance is less than this fraction of the residual, or sweeps are slow,
+const EASY: f64 = 0.3;
+/// so many times at most,
+const ATTEMPTS: u32 = 3;
+/// and if a step costs no more than so many sweeps.
+const DEAR: u64 = 60;
 
 /// The solver; keeps its memory.
 #[derive(Debug, Clone, Default)]
@@ -100,6 +109,7 @@ pub struct GaussSeidel {
     newton: BlockNewton,
     conjugate: Conjugate,
     patches: Patches,
+    sparse_newton: SparseNewton,
     rows: Vec<u32>,
 }
 
@@ -136,6 +146,7 @@ impl GaussSeidel {
         let mut last = f64::INFINITY;
         let (mut best, mut best_at) = (f64::INFINITY, 0);
         let (mut tried_whole, mut tries) = (false, 0_u32);
+        let (mut attempts_at_once, mut attempts) = (false, 0);
         self.conjugate.restart(system, &self.forces);
         loop {
             settings.scales.set(system, &self.forces, &mut report);
@@ -164,6 +175,20 @@ impl GaussSeidel {
                 report.work += self.newton.work;
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
+                continue;
+            }
+            let is_close = report.residual < CLOSE && (slow || settings.tolerance < EASY * report.residual);
+            // (Not with bilateral constraints, which make few blocks of many strands.)
+            attempts_at_once = !attempts_at_once && !whole && is_close && attempts < ATTEMPTS && !system.bilateral.are_there();
+            if attempts_at_once {
+                attempts += 1;
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
+                let most = DEAR * sweep_work;
+                self.sparse_newton.solve(space, system, &mut self.forces, &report, goal, most, workers, meter);
+                report.work += self.sparse_newton.work;
+                self.conjugate.restart(system, &self.forces);
+                report.sweeps += 1;
+                last = f64::INFINITY;
                 continue;
             }
             if slow && report.residual < NEAR * report.size {

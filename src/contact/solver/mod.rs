@@ -8,10 +8,10 @@
 //! - `contact_space.rs`: The contact-space problem: the strands' responses at their attached points, and the constraints between these.
 //! - `dense.rs`: Small dense systems of equations.
 //! - `gauss_seidel.rs`: The contact-space problem solved by nonsmooth block Gauss–Seidel.
-//! - `interior_point.rs`: Contacts that friction jams, at once: an interior-point method on Coulomb's law itself.
 //! - `partition.rs`: Divides a large problem into subdomains that threads sweep side by side.
 //! - `patch.rs`: Patches: where sweeps over a large problem make no progress it is for a few closely coupled contacts.
 //! - `rank.rs`: Cholesky's factorisation of a positive semidefinite matrix with pivoting: rows that depend on others are left out.
+//! - `sparse_newton.rs`: Newton's iteration on all contacts of a large problem at once, for where its forces are nearly right.
 //! - `subdomains.rs`: The subdomains of a large problem, a binary tree.
 //! - `system.rs`: The contact-space problem prepared for iteration.
 
@@ -21,9 +21,9 @@ pub(super) mod conjugate;
 pub mod contact_space;
 pub(super) mod dense;
 pub mod gauss_seidel;
-pub(super) mod interior_point;
 pub mod partition;
 pub(super) mod patch;
 pub(super) mod rank;
+pub(super) mod sparse_newton;
 pub(super) mod subdomains;
 pub mod system;

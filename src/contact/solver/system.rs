@@ -158,13 +158,24 @@ impl System {
 
     /// Displacement of a row per force at another (or itself).
     pub(in crate::contact) fn coupling(&self, space: &ContactSpace, row: &Row, from: &Row) -> Matrix3<f64> {
+        self.coupling_where(space, row, from, |_| true)
+    }
+
+    /// The same by one block's response alone.
+    pub(in crate::contact) fn coupling_in(&self, space: &ContactSpace, block: usize, row: &Row, from: &Row) -> Matrix3<f64> {
+        let base = self.members[self.blocks[block] as usize].0;
+        self.coupling_where(space, row, from, |end| end.base == base)
+    }
+
+    #[inline(always)]
+    fn coupling_where(&self, space: &ContactSpace, row: &Row, from: &Row, counts: impl Fn(&Slot) -> bool) -> Matrix3<f64> {
         // Both ends, the second a copy of the first where there is none, so that nothing beyond the lists is read.
         let ends = |row: &Row| ([row.first, row.second.unwrap_or(row.first)], 1 + usize::from(row.second.is_some()));
         let ((at, places), (force, forces)) = (ends(row), ends(from));
         let mut sum = Matrix3::zeros();
         for i in 0..places {
             for j in 0..forces {
-                if at[i].base == force[j].base {
+                if at[i].base == force[j].base && counts(&at[i]) {
                     let block = self.block(space, &at[i], &force[j]);
                     if i == j { sum += block } else { sum -= block }
                 }

@@ -13,11 +13,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::dense::Factors;
-use super::gauss_seidel::Report;
 use crate::contact::constraint::law::Law;
 use crate::contact::constraint::law::contact::{Contact, Friction};
 use crate::contact::constraint::law::response::Response;
+use crate::contact::solver::dense::Factors;
+use crate::contact::solver::gauss_seidel::Report;
 use crate::meter::Meter;
 
 /// The largest number of iterations.
