@@ -13,7 +13,11 @@ const LARGE: usize = 200;
 /// False where A is singular to the last bit, or `meter` halts it; `b` is of no use then.
 pub(in crate::contact) fn solve(a: &mut [f64], b: &mut [f64], meter: &Meter) -> bool {
     let n = b.len();
-    f64::call(Eliminate { a, b, pivots: n, meter }) && f64::call(Substitute { a, b, pivots: n })
+    let is_eliminated = eliminate_first(a, b, n, meter);
+    if is_eliminated {
+        substitute_first(a, b, n);
+    }
+    is_eliminated
 }
 
 /// The same for the first `pivots` columns only, with pivots from the first so many rows. What is left of the other rows and columns is
@@ -68,17 +72,21 @@ struct Substitute<'a> {
 }
 
 impl Kernel for Substitute<'_> {
-    type Output = bool;
+    type Output = ();
     #[inline(always)]
-    fn run(self) -> bool {
-        let Self { a, b, pivots } = self;
-        let n = b.len();
-        for k in (0..pivots).rev() {
-            let row = &a[k * n..(k + 1) * n];
-            let known: f64 = row[k + 1..].iter().zip(&b[k + 1..]).map(|(x, y)| x * y).sum();
-            b[k] = (b[k] - known) / row[k];
-        }
-        true
+    fn run(self) {
+        substitute(self.a, self.b, self.pivots);
+    }
+}
+
+/// The last of the first `pivots` unknowns, and back to the first.
+#[inline(always)]
+fn substitute(a: &[f64], b: &mut [f64], pivots: usize) {
+    let n = b.len();
+    for k in (0..pivots).rev() {
+        let row = &a[k * n..(k + 1) * n];
+        let known: f64 = row[k + 1..].iter().zip(&b[k + 1..]).map(|(x, y)| x * y).sum();
+        b[k] = (b[k] - known) / row[k];
     }
 }
 
@@ -179,7 +187,7 @@ impl Factors {
 
     /// Solves A x = b: `b` becomes x.
     pub fn solve(&self, b: &mut [f64]) {
-        f64::call(SubstituteBoth { factors: self, b });
+        f64::call(SolveFactorised { factors: self, b });
     }
 }
 
@@ -220,12 +228,12 @@ impl Kernel for Factorise<'_> {
     }
 }
 
-struct SubstituteBoth<'a> {
+struct SolveFactorised<'a> {
     factors: &'a Factors,
     b: &'a mut [f64],
 }
 
-impl Kernel for SubstituteBoth<'_> {
+impl Kernel for SolveFactorised<'_> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
@@ -238,11 +246,7 @@ impl Kernel for SubstituteBoth<'_> {
             let known: f64 = rows[k * n..k * n + k].iter().zip(&*b).map(|(x, y)| x * y).sum();
             b[k] -= known;
         }
-        for k in (0..n).rev() {
-            let row = &rows[k * n..(k + 1) * n];
-            let known: f64 = row[k + 1..].iter().zip(&b[k + 1..]).map(|(x, y)| x * y).sum();
-            b[k] = (b[k] - known) / row[k];
-        }
+        substitute(rows, b, n);
     }
 }
 

@@ -161,6 +161,7 @@ impl GaussSeidel {
             } else if report.sweeps > best_at + PATIENCE {
                 break;
             }
+            let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
             let slow = report.residual > SLOW * last;
             last = report.residual;
             // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.
@@ -169,7 +170,6 @@ impl GaussSeidel {
                 tries += u32::from(!system.bilateral.are_there());
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
                 self.newton.solve(space, system, &self.forces, &self.rows, &report, goal, meter);
                 self.newton.apply(space, system, &mut self.forces);
                 report.work += self.newton.work;
@@ -182,7 +182,6 @@ impl GaussSeidel {
             attempts_at_once = !attempts_at_once && !whole && is_close && attempts < ATTEMPTS && !system.bilateral.are_there();
             if attempts_at_once {
                 attempts += 1;
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
                 let most = DEAR * sweep_work;
                 self.sparse_newton.solve(space, system, &mut self.forces, &report, goal, most, workers, meter);
                 report.work += self.sparse_newton.work;
@@ -192,7 +191,6 @@ impl GaussSeidel {
                 continue;
             }
             if slow && report.residual < NEAR * report.size {
-                let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
                 report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, workers, meter);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
@@ -255,7 +253,7 @@ pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], 
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::sync::Arc;
 
     use super::*;
@@ -265,10 +263,10 @@ mod tests {
     use crate::contact::solver::contact_space::{End, SpaceConstraint};
     use crate::workers::{ParallelFor, Workers};
 
-    const POINTS: u32 = 5;
+    pub(in crate::contact::solver) const POINTS: u32 = 5;
 
     /// A host with one thread, which runs tasks in reverse order.
-    struct Backwards;
+    pub(in crate::contact::solver) struct Backwards;
 
     impl ParallelFor for Backwards {
         fn run(&self, count: u32, _: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
@@ -276,12 +274,11 @@ mod tests {
         }
     }
 
-    /// Cantilevers side by side that are pressed on the ground and against each other, in four subdomains; too many to be
-    /// solved as a whole.
-    fn four_parts() -> (ContactSpace, Vec<Vector3<f64>>) {
+    /// Cantilevers of unit stiffness with [`POINTS`] attached points, 1 m apart.
+    pub(in crate::contact::solver) fn cantilevers(count: u32) -> ContactSpace {
         let mut space = ContactSpace::default();
         space.reset(1.0 / 60.0).unwrap();
-        for _ in 0..20 {
+        for _ in 0..count {
             let size = 3 * POINTS as usize;
             let matrix = space.add_strand(POINTS as usize);
             for k in 0..size * size {
@@ -290,14 +287,32 @@ mod tests {
                 matrix[k] = if i % 3 == j % 3 { s * s * (3.0 * t - s) / 6.0 } else { 0.0 };
             }
         }
+        space
+    }
+
+    /// A hard contact with Coulomb friction between two points, each of a strand, or of one with the ground.
+    pub(in crate::contact::solver) fn touch(
+        space: &mut ContactSpace,
+        first: (u32, u32),
+        second: Option<(u32, u32)>,
+        normal: Vector3<f64>,
+        unconstrained: Vector3<f64>,
+    ) {
+        let end = |(strand, point)| End { strand, point };
+        let friction = Friction::Coulomb(Coefficient::uniform(0.3));
+        let law = Law::Contact(Contact { normal, response: Response::Hard, friction });
+        space.add_constraint(SpaceConstraint { first: end(first), second: second.map(end), law, unconstrained }).unwrap();
+    }
+
+    /// Cantilevers side by side that are pressed on the ground and against each other, in four subdomains; too many to be
+    /// solved as a whole.
+    fn four_parts() -> (ContactSpace, Vec<Vector3<f64>>) {
+        let mut space = cantilevers(20);
         let add = |space: &mut ContactSpace, first: u32, second: Option<u32>, point: u32| {
             let normal = if second.is_some() { -Vector3::y() } else { Vector3::z() };
-            let friction = Friction::Coulomb(Coefficient::uniform(0.3));
             let unconstrained =
                 Vector3::new(0.01 * f64::from(point), 0.0, 0.0) - normal * (1.0 + 0.1 * f64::from((first * 7 + point) % 5));
-            let law = Law::Contact(Contact { normal, response: Response::Hard, friction });
-            let end = |strand| End { strand, point };
-            space.add_constraint(SpaceConstraint { first: end(first), second: second.map(end), law, unconstrained }).unwrap();
+            touch(space, (first, point), second.map(|second| (second, point)), normal, unconstrained);
         };
         let mut ends = Vec::new();
         for part in 0..4 {

@@ -47,8 +47,8 @@ pub(super) struct SparseNewton {
 }
 
 impl SparseNewton {
-    /// Improves `forces` until `goal` or leaves them as they are: a step that costs more than `most` is not taken. In the scales of
-    /// `report`. By workers: the same bits.
+    /// Improves `forces` until `goal` or leaves them as they are: a step that costs more than `most` is not taken. `report` has their
+    /// residual, and its scales. By workers: the same bits.
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, when to stop and who works")]
     pub(super) fn solve<S: Default + Send>(
         &mut self,
@@ -62,7 +62,7 @@ impl SparseNewton {
         meter: &Meter,
     ) {
         self.work = 0;
-        let mut law_residual = residual(space, system, forces, report);
+        let mut law_residual = report.residual;
         let mut best = law_residual;
         self.best_forces.clear();
         self.best_forces.extend_from_slice(forces);

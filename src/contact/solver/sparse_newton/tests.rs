@@ -4,58 +4,16 @@ use std::sync::Arc;
 
 use super::*;
 use crate::contact::constraint::law::Law;
-use crate::contact::constraint::law::coefficient::Coefficient;
-use crate::contact::constraint::law::contact::{Contact, Friction};
-use crate::contact::constraint::law::response::Response;
-use crate::contact::solver::contact_space::{End, SpaceConstraint};
 use crate::contact::solver::dense;
+use crate::contact::solver::gauss_seidel::tests::{Backwards, POINTS, cantilevers, touch};
 use crate::contact::solver::gauss_seidel::{GaussSeidel, Settings};
+use crate::contact::solver::system::Row;
 use crate::math::random::Seeded;
-use crate::workers::{ParallelFor, Workers};
-
-const POINTS: u32 = 5;
-
-/// A host with one thread, which runs tasks in reverse order.
-struct Backwards;
-
-impl ParallelFor for Backwards {
-    fn run(&self, count: u32, _: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
-        (0..count).rev().for_each(|k| task(k, k + 1, 0));
-    }
-}
-
-/// Cantilevers, 1 m per N at a distance of 1 m.
-fn strands(count: u32) -> ContactSpace {
-    let mut space = ContactSpace::default();
-    space.reset(1.0 / 60.0).unwrap();
-    for _ in 0..count {
-        let size = 3 * POINTS as usize;
-        let matrix = space.add_strand(POINTS as usize);
-        for k in 0..size * size {
-            let (i, j) = (k % size, k / size);
-            let (s, t) = ((i / 3).min(j / 3) as f64 + 1.0, (i / 3).max(j / 3) as f64 + 1.0);
-            matrix[k] = if i % 3 == j % 3 { s * s * (3.0 * t - s) / 6.0 } else { 0.0 };
-        }
-    }
-    space
-}
-
-/// A contact with friction.
-fn touch(
-    space: &mut ContactSpace,
-    first: (u32, u32),
-    second: Option<(u32, u32)>,
-    normal: Vector3<f64>,
-    unconstrained: Vector3<f64>,
-) {
-    let end = |(strand, point)| End { strand, point };
-    let law = Law::Contact(Contact { normal, response: Response::Hard, friction: Friction::Coulomb(Coefficient::uniform(0.3)) });
-    space.add_constraint(SpaceConstraint { first: end(first), second: second.map(end), law, unconstrained }).unwrap();
-}
+use crate::workers::Workers;
 
 /// Strands that lie on each other, each at three places, the lowest on the ground; a load presses and pulls them all.
 fn stack(height: u32, load: f64) -> ContactSpace {
-    let mut space = strands(height);
+    let mut space = cantilevers(height);
     for strand in 0..height {
         for point in [1, 2, 4] {
             let below = (strand > 0).then(|| (strand - 1, point));
@@ -76,7 +34,7 @@ fn random(seed: u64) -> ContactSpace {
         numbers.unit(index)
     };
     let count = 30;
-    let mut space = strands(count);
+    let mut space = cantilevers(count);
     for _ in 0..150 {
         let mut pick = |most: u32| (unit() * f64::from(most)) as u32;
         let (strand, point, kind, reach, other) = (pick(count), pick(POINTS), pick(10), pick(3), pick(POINTS));
@@ -92,9 +50,9 @@ fn random(seed: u64) -> ContactSpace {
     space
 }
 
-/// The residuals of all laws.
+/// All laws, linearised where the forces bring the strands.
 fn linearised(space: &ContactSpace, system: &System, forces: &[Vector3<f64>]) -> Vec<Linear> {
-    let law = |(row, force): (&super::super::system::Row, &Vector3<f64>)| {
+    let law = |(row, force): (&Row, &Vector3<f64>)| {
         space.constraints()[row.constraint].law.linearise(&system.relative(row), force, &row.response, space.step())
     };
     system.rows.iter().zip(forces).map(law).collect()
