@@ -2,11 +2,17 @@
 //! model's error for its cost (`price.rs`), and the cost per contact as contacts grow in number (`scaling.rs`).
 //!
 //! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--model NAME [--work UNITS]] [--quick] [--scaling-only] [--strands-only] [--walk-only [--scale X] [--case K]]
-//! [--jumps-only [--random N]]`
+//! [--jumps-only [--random N]] [--aims-only]`
+//!
+//! `--aims-only`: what was asked of the performance of contact, in one table (`aims.rs`), which the whole run ends with.
 
+mod aims;
+mod ball;
+mod comb;
 mod jumps;
 mod price;
 mod scaling;
+mod tangle;
 mod walk;
 
 use std::error::Error;
@@ -40,8 +46,9 @@ const DEEP: f64 = 1e-4;
 const STRANDS_STEPS: usize = 16;
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
-/// The models, their largest numbers of iterations, and their names in tables.
-const MODELS: [(ContactModel, u32, f64, &str); 9] = [
+/// A model, its largest number of iterations, its residual, and its name in tables.
+type Model = (ContactModel, u32, f64, &'static str);
+const MODELS: [Model; 9] = [
     (ContactModel::AtPoints, 1, 1e-4, "at points, 1 iteration"),
     (ContactModel::AtPoints, 4, 1e-4, "at points, 4 iterations"),
     (ContactModel::Penalty, 1, 1e-4, "penalty, 1 iteration"),
@@ -103,7 +110,9 @@ fn pose(seconds: f64) -> UnitQuaternion<f64> {
 
 struct Shaken {
     model: &'static str,
+    /// Of all steps of the shake, ascending.
     milliseconds: Vec<f64>,
+    strand_steps: usize,
     /// For a mean step: search, steps of strands, contact problems, s.
     phases: [f64; 3],
     contacts: f64,
@@ -123,7 +132,7 @@ struct Shaken {
 fn shake(
     defs: &[StrandDef],
     head: &Arc<Shape>,
-    (model, max_iterations, residual, name): (ContactModel, u32, f64, &'static str),
+    (model, max_iterations, residual, name): Model,
     steps: usize,
     threads: usize,
     work: Option<u64>,
@@ -138,6 +147,7 @@ fn shake(
     let mut out = Shaken {
         model: name,
         milliseconds: Vec::new(),
+        strand_steps: steps * ids.len(),
         phases: [0.0; 3],
         contacts: 0.0,
         iterations: 0.0,
@@ -186,61 +196,28 @@ fn shake(
     Ok(out)
 }
 
-fn main() -> Outcome<()> {
-    let arguments: Vec<String> = std::env::args().collect();
-    let option = |name: &str| arguments.iter().position(|argument| argument == name).and_then(|at| arguments.get(at + 1));
-    let folder = option("--csv").map(PathBuf::from);
-    let steps: usize = option("--steps").map_or(Ok(90), |text| text.parse())?;
-    let threads: usize = option("--threads").map_or(Ok(2), |text| text.parse())?;
-    let only = option("--model");
-    let work: Option<u64> = option("--work").map(|text| text.parse()).transpose()?;
-    let quick = arguments.iter().any(|argument| argument == "--quick");
-    let count: usize = option("--guides").map_or(Ok(1000), |text| text.parse())?;
+/// The value that a share of ascending values does not exceed.
+fn quantile(ascending: &[f64], share: f64) -> f64 {
+    ascending[((ascending.len() - 1) as f64 * share) as usize]
+}
 
-    let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
-    let vertices: Vec<_> = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
-    let mesh = Shape::new_mesh(vertices.clone(), bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
-    let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
-    let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
-    if arguments.iter().any(|argument| argument == "--jumps-only") {
-        let random = option("--random").map_or(Ok(if quick { 100 } else { 10_000 }), |text| text.parse())?;
-        let [median, p99, most] = jumps::cancelled(if quick { 40 } else { 400 })?;
-        println!("cancelled: median {median:.3} ms, p99 {p99:.3}, at most {most:.3}");
-        let jumps = jumps::table(random)?;
-        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_jumps.csv"), jumps))?);
-    }
-    if arguments.iter().any(|argument| argument == "--scaling-only") {
-        let scaling = scaling::table(&head, quick)?;
-        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_scaling.csv"), scaling))?);
-    }
-    let scale = option("--scale").map_or(Ok(if quick { 0.02 } else { 1.0 }), |text| text.parse())?;
-    let case = option("--case").map(|text| text.parse()).transpose()?;
-    let run = walk::Run { steps, threads, scale, only: case };
-    let bust_of = (&vertices[..], &bust.triangles[..]);
-    let walk = || walk::table(&head, bust_of, &run);
-    let strands = || walk::strands_and_threads(&head, bust_of, if quick { 2 } else { STRANDS_STEPS }, quick);
-    if arguments.iter().any(|argument| argument == "--strands-only") {
-        let table = strands()?;
-        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_strands.csv"), table))?);
-    }
-    if arguments.iter().any(|argument| argument == "--walk-only") {
-        let table = walk()?;
-        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_walk.csv"), table))?);
-    }
-    let defs = guides(&head, count)?;
+/// The rows of `contact_shake.csv` of the models that are wanted by their names, which are also printed; and what they are made of.
+fn shakes(
+    defs: &[StrandDef],
+    head: &Arc<Shape>,
+    wanted: impl Fn(&str) -> bool,
+    steps: usize,
+    threads: usize,
+    work: Option<u64>,
+) -> Outcome<(String, Vec<Shaken>)> {
     let mut csv = String::from(
         "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
     );
-    println!(
-        "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
-        defs.len(),
-        bust.triangles.len()
-    );
+    let mut all = Vec::new();
     // (At points, strands that collide with strands use penalties.)
-    let of_hair = MODELS.into_iter().filter(|model| model.0 != ContactModel::AtPoints);
-    for model in of_hair.filter(|model| only.is_none_or(|only| only == model.3)) {
-        let out = shake(&defs, &head, model, steps, threads, work)?;
-        let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
+    for model in MODELS.into_iter().filter(|model| model.0 != ContactModel::AtPoints && wanted(model.3)) {
+        let out = shake(defs, head, model, steps, threads, work)?;
+        let at = |share: f64| quantile(&out.milliseconds, share);
         let row = format!(
             "\"{}\",{:.1},{:.1},{:.1},{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.2e},{},{:.1e},{},{}",
             out.model,
@@ -263,6 +240,64 @@ fn main() -> Outcome<()> {
         );
         println!("{row}");
         writeln!(csv, "{row}")?;
+        all.push(out);
+    }
+    Ok((csv, all))
+}
+
+fn main() -> Outcome<()> {
+    let arguments: Vec<String> = std::env::args().collect();
+    let option = |name: &str| arguments.iter().position(|argument| argument == name).and_then(|at| arguments.get(at + 1));
+    let folder = option("--csv").map(PathBuf::from);
+    let quick = arguments.iter().any(|argument| argument == "--quick");
+    let steps: usize = option("--steps").map_or(Ok(if quick { 4 } else { 90 }), |text| text.parse())?;
+    let threads: usize = option("--threads").map_or(Ok(2), |text| text.parse())?;
+    let only = option("--model");
+    let work: Option<u64> = option("--work").map(|text| text.parse()).transpose()?;
+    let count: usize = option("--guides").map_or(Ok(if quick { 40 } else { 1000 }), |text| text.parse())?;
+
+    let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
+    let vertices: Vec<_> = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
+    let mesh = Shape::new_mesh(vertices.clone(), bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
+    let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
+    let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
+    if arguments.iter().any(|argument| argument == "--jumps-only") {
+        let random = option("--random").map_or(Ok(if quick { 100 } else { 10_000 }), |text| text.parse())?;
+        let [median, p99, most] = jumps::cancelled(if quick { 40 } else { 400 })?;
+        println!("cancelled: median {median:.3} ms, p99 {p99:.3}, at most {most:.3}");
+        let jumps = jumps::table(random)?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_jumps.csv"), jumps))?);
+    }
+    if arguments.iter().any(|argument| argument == "--scaling-only") {
+        let scaling = scaling::table(&head, quick)?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_scaling.csv"), scaling))?);
+    }
+    let scale = option("--scale").map_or(Ok(if quick { 0.02 } else { 1.0 }), |text| text.parse())?;
+    let case = option("--case").map(|text| text.parse()).transpose()?;
+    let aims_only = arguments.iter().any(|argument| argument == "--aims-only");
+    let run = walk::Run { steps, threads, scale, only: case, aims_only };
+    let bust_of = (&vertices[..], &bust.triangles[..]);
+    let walk = || walk::table(&head, bust_of, &run);
+    let strands = || walk::strands_and_threads(&head, bust_of, if quick { 2 } else { STRANDS_STEPS }, quick);
+    if arguments.iter().any(|argument| argument == "--strands-only") {
+        let table = strands()?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_strands.csv"), table))?);
+    }
+    if arguments.iter().any(|argument| argument == "--walk-only") {
+        let (table, _) = walk()?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_walk.csv"), table))?);
+    }
+    let defs = guides(&head, count)?;
+    println!(
+        "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
+        defs.len(),
+        bust.triangles.len()
+    );
+    let wanted = |name: &str| only.is_none_or(|only| only == name) && (!aims_only || aims::has_shake(name));
+    let (csv, shaken) = shakes(&defs, &head, wanted, steps, threads, work)?;
+    if aims_only {
+        let table = aims::table(&shaken, &walk()?.1, quick)?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_aims.csv"), table))?);
     }
     // For a single model only the table of the head is wanted.
     let (prices, rest) = if only.is_none() { (price::prices(quick)?, price::at_rest()?) } else { Default::default() };
@@ -272,8 +307,10 @@ fn main() -> Outcome<()> {
             std::fs::write(folder.join("contact_price.csv"), prices)?;
             std::fs::write(folder.join("contact_rest.csv"), rest)?;
             std::fs::write(folder.join("contact_scaling.csv"), scaling::table(&head, quick)?)?;
-            std::fs::write(folder.join("contact_walk.csv"), walk()?)?;
+            let (csv, walked) = walk()?;
+            std::fs::write(folder.join("contact_walk.csv"), csv)?;
             std::fs::write(folder.join("contact_strands.csv"), strands()?)?;
+            std::fs::write(folder.join("contact_aims.csv"), aims::table(&shaken, &walked, quick)?)?;
         }
     }
     Ok(())

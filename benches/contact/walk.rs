@@ -12,7 +12,7 @@ use superhelix::{
     StrandDef, Workers,
 };
 
-use crate::{EXEMPT, GRAVITY, Outcome, STEP};
+use crate::{EXEMPT, GRAVITY, Outcome, STEP, aims, quantile};
 
 /// Hair grows this far down from the top of the head, m.
 const SCALP: f64 = 0.1;
@@ -27,13 +27,13 @@ const GROWING: [usize; 4] = [300, 1000, 3000, 10_000];
 const GROWN: [&str; 4] = ["free", "at points, 4 iterations", "penalty, 1 iteration", "hard"];
 
 /// A crowd of guides, and how it is stepped.
-struct Case {
-    name: &'static str,
-    guides: usize,
-    elements: usize,
-    precision: Precision,
+pub struct Case {
+    pub name: &'static str,
+    pub guides: usize,
+    pub elements: usize,
+    pub precision: Precision,
     /// None: without the bust.
-    contact: Option<(ContactModel, u32)>,
+    pub contact: Option<(ContactModel, u32)>,
 }
 
 const CASES: [Case; 9] = [
@@ -119,33 +119,42 @@ pub struct Run {
     pub scale: f64,
     /// One case alone, by its place in the table.
     pub only: Option<usize>,
+    /// Only the cases for which something was asked.
+    pub aims_only: bool,
+}
+
+impl Run {
+    fn has(&self, place: usize, case: &Case) -> bool {
+        self.only.is_none_or(|only| only == place) && (!self.aims_only || aims::has_walk(case.name, case.precision))
+    }
 }
 
 /// A case that was run.
-struct Walked {
+pub struct Walked {
+    pub case: Case,
     /// Of all steps of the walk, ascending.
     milliseconds: Vec<f64>,
     /// For a mean step: search, steps of strands, contact problems.
     phases: [f64; 3],
     contacts: f64,
-    iterations: f64,
+    pub iterations: f64,
     penetration: f64,
-    unconverged: u32,
+    pub unconverged: u32,
     rolled_back: u32,
     /// The fractions of strands that are somewhere deeper than [`DEEP`], by an exact search that no model of contact takes part in.
-    deep: [f64; 2],
+    pub deep: [f64; 2],
 }
 
 impl Walked {
-    fn at(&self, part: f64) -> f64 {
-        self.milliseconds[((self.milliseconds.len() - 1) as f64 * part) as usize]
+    pub fn at(&self, share: f64) -> f64 {
+        quantile(&self.milliseconds, share)
     }
 }
 
-fn walk(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), case: &Case, steps: usize, threads: usize) -> Outcome<Walked> {
+fn walk(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), case: Case, steps: usize, threads: usize) -> Outcome<Walked> {
     let motion = Motion::read("tests/data/grooms/walk_figure8_head.csv", None)?;
     let middle = bust.0.iter().sum::<Vector3<f64>>() / bust.0.len() as f64;
-    let defs = guides(case, bust)?;
+    let defs = guides(&case, bust)?;
     let contact = case.contact.map_or(ContactOptions::default(), |(model, max_iterations)| ContactOptions {
         model,
         max_iterations,
@@ -165,6 +174,7 @@ fn walk(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), case: &Case, st
         solver.set_contact(&ids, Some(&strand))?;
     }
     let mut walked = Walked {
+        case,
         milliseconds: Vec::new(),
         phases: [0.0; 3],
         contacts: 0.0,
@@ -209,16 +219,17 @@ fn walk(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), case: &Case, st
     Ok(walked)
 }
 
-/// The rows of `contact_walk.csv`, which are also printed.
-pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run) -> Outcome<String> {
+/// The rows of `contact_walk.csv`, which are also printed; and what they are made of.
+pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run) -> Outcome<(String, Vec<Walked>)> {
     let mut csv = String::from(
         "case,guides,elements,precision,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,penetration_m,unconverged,rolled_back,deeper_than_half_mm,deeper_than_2_mm\n",
     );
+    let mut all = Vec::new();
     print!("{csv}");
-    for (_, mut case) in CASES.into_iter().enumerate().filter(|(k, _)| run.only.is_none_or(|only| only == *k)) {
+    for (_, mut case) in CASES.into_iter().enumerate().filter(|(k, case)| run.has(*k, case)) {
         case.guides = (case.guides as f64 * run.scale) as usize;
-        let walked = walk(head, bust, &case, run.steps, run.threads)?;
-        let Case { name, guides, elements, precision, .. } = case;
+        let walked = walk(head, bust, case, run.steps, run.threads)?;
+        let Case { name, guides, elements, precision, .. } = walked.case;
         let ([search, strands, contact], [half, two]) = (walked.phases, walked.deep);
         let Walked { contacts, iterations, penetration, unconverged, rolled_back, .. } = walked;
         let row = format!(
@@ -229,8 +240,9 @@ pub fn table(head: &Arc<Shape>, bust: (&[Vector3<f64>], &[[u32; 3]]), run: &Run)
         );
         println!("{row}");
         writeln!(csv, "{row}")?;
+        all.push(walked);
     }
-    Ok(csv)
+    Ok((csv, all))
 }
 
 /// The cost of the walk as strands grow in number, with one thread and with two: `contact_strands.csv`, which is also printed.
@@ -244,9 +256,12 @@ pub fn strands_and_threads(
     print!("{csv}");
     for guides in if quick { &GROWING[..1] } else { &GROWING[..] } {
         for case in CASES.into_iter().filter(|case| GROWN.contains(&case.name) && case.precision == Precision::F64) {
-            let case = Case { guides: *guides, ..case };
-            let median = |threads| -> Outcome<f64> { Ok(walk(head, bust, &case, steps, threads)?.at(0.5)) };
-            let row = format!("\"{}\",{guides},{:.2},{:.2}", case.name, median(1)?, median(2)?);
+            let name = case.name;
+            let median = |threads| -> Outcome<f64> {
+                let case = Case { guides: *guides, ..case };
+                Ok(walk(head, bust, case, steps, threads)?.at(0.5))
+            };
+            let row = format!("\"{name}\",{guides},{:.2},{:.2}", median(1)?, median(2)?);
             println!("{row}");
             writeln!(csv, "{row}")?;
         }

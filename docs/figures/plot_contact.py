@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from plot import FIGURES, put
-from plot_performance import table
+from plot_performance import table, unit
 
 FOLDER = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else FIGURES
 
@@ -89,6 +89,14 @@ def jumps():
                 "deepest then, m"), lines), "jumps", "notebook/contact.md")
 
 
+def aims():
+    lines = [(row["what"].replace(" x ", " × "), unit(row["unit"]), row["asked"], row["when_asked"], row["measured"], row["ratio_to_free"],
+              row["worst"], row["note"])
+             for row in rows("contact_aims.csv")]
+    show(table(("what", "unit", "asked, at most", "when it was asked", "median", "over the free step", "worst", "besides"), lines),
+         "aims", "notebook/contact.md")
+
+
 if __name__ == "__main__":
     shake()
     jumps()
@@ -97,3 +105,4 @@ if __name__ == "__main__":
     scaling()
     walk()
     strands()
+    aims()
