@@ -7,7 +7,7 @@ use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::Surface;
 use crate::math::vector::Vec3;
-use crate::step::point_contacts::{SurfaceAtPoint, Surfaces};
+use crate::step::point_surfaces::{SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;

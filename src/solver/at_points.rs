@@ -12,7 +12,7 @@ use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::point_surfaces::StrandSurfaces;
 use crate::math::lane::MAX_LANES;
-use crate::step::point_contacts::{DepthAtPoints, PointContact, PointContactOptions};
+use crate::step::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions};
 
 /// A contact of a strand.
 pub(super) type Found = (StrandId, PointContact);

@@ -15,7 +15,7 @@ use crate::rod::strand::StrandModel;
 use crate::rod::target::TargetAt;
 use crate::step::members::{One, OneTouches, Pack, PackKey, StepEnd};
 use crate::step::options::Integrator;
-use crate::step::point_contacts::{DepthAtPoints, PointContact, PointContactOptions, Surfaces};
+use crate::step::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, Surfaces};
 use crate::step::scratch::StepScratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};

@@ -8,7 +8,8 @@ use nalgebra::Vector3;
 
 use super::context::StepContext;
 use super::iterate::wrench;
-use super::members::{self, Pack, Reads};
+use super::loaded::{self, Reads};
+use super::members::Pack;
 use super::workspace::Workspace;
 use super::{StrandOutcome, stages, whole};
 use crate::chain::system::LinearSolve;
@@ -134,7 +135,7 @@ fn root_motions<T: Lane>(members: &dyn Pack, h: f64, workspace: &Workspace<T>) -
         let (velocity, angular) = workspace.root_velocities[member];
         let acceleration = (velocity - state.root_velocity) / h;
         let angular_acceleration = (angular - state.root_angular_velocity) / h;
-        let put = |to: &mut Vec3<T>, from: Vector3<f64>, factor: f64| members::put(&mut to.0, lane, &from.into(), factor);
+        let put = |to: &mut Vec3<T>, from: Vector3<f64>, factor: f64| loaded::put(&mut to.0, lane, &from.into(), factor);
         let time = units.time;
         put(&mut start.velocity, state.root_velocity, 1.0 / units.speed());
         put(&mut start.angular_velocity, state.root_angular_velocity, time);

@@ -14,13 +14,15 @@
 //! - `lane_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination includes them all.
 //! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
 //! - `linearly_implicit.rs`: The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its second-order terms.
+//! - `loaded.rs`: The numbers of a pack's strands in lanes, and their transfer into them and back.
 //! - `local_error.rs`: The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
-//! - `members.rs`: Packs: strands that take a step side by side, one per lane, and the transfer of their numbers into lanes and back.
+//! - `members.rs`: Packs: strands that take a step side by side, one per lane.
 //! - `newton.rs`: Newton's iteration on a strand's incremental potential.
 //! - `options.rs`: Options of a step: integrator, linear solve, tolerances.
 //! - `packs.rs`: The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
 //! - `point_contacts.rs`: Contact at the quadrature points.
 //! - `point_probes.rs`: Where the surfaces of bodies are about a strand's quadrature points (`point_contacts.rs`).
+//! - `point_surfaces.rs`: What contact at points asks of the bodies' surfaces, and what it finds (`point_contacts.rs`).
 //! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
 //! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //! - `regrid.rs`: Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away.
@@ -49,6 +51,7 @@ pub mod iterate;
 mod lane_loads;
 mod line_search;
 pub mod linearly_implicit;
+pub mod loaded;
 pub mod local_error;
 pub mod members;
 pub mod newton;
@@ -56,6 +59,7 @@ pub mod options;
 pub mod packs;
 pub mod point_contacts;
 mod point_probes;
+pub mod point_surfaces;
 pub mod radau;
 pub mod reference;
 pub mod regrid;

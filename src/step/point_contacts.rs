@@ -9,8 +9,10 @@
 
 use super::iterate::Iterate;
 use super::line_search::lanes;
-use super::members::{Pack, Units};
+use super::loaded::{self, Units};
+use super::members::Pack;
 use super::point_probes::{Asks, Known, Line, Point, Start};
+use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SurfaceAtPoint, Surfaces};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
@@ -28,77 +30,6 @@ const STICKING: f64 = 100.0;
 
 /// The contacts of a strand have settled when their forces differ from the law by no more than what takes a point this far in the step, m.
 const SETTLED: f64 = 5e-3;
-
-/// How contact at points is answered.
-#[derive(Debug, Clone, Copy)]
-pub struct PointContactOptions {
-    /// How far surfaces that overlap when the step begins come apart in it, m.
-    pub separation: f64,
-    /// Friction grows with the overlap down to this depth, m: what is deeper has come in by other ways than by its weight, and must come
-    /// out.
-    pub holding_depth: f64,
-    /// The limit of iterations of a strand with contacts.
-    pub max_iterations: u32,
-}
-
-/// A body's surface at a point of a strand.
-#[derive(Debug, Clone, Copy)]
-pub struct SurfaceAtPoint {
-    /// The body's index in the scene, and its triangle.
-    pub body: u32,
-    /// See `body`.
-    pub feature: u32,
-    /// From the body's surface to the strand's, m; negative where they overlap by more than is permitted.
-    pub gap: f64,
-    /// The overlap that is permitted there, m.
-    pub permitted: f64,
-    /// Unit, from the body to the strand.
-    pub normal: Vec3<f64>,
-    /// Displacement of the surface during the step, m.
-    pub carried: Vec3<f64>,
-    /// Coefficients of friction, of a strand against the body, from root to tip and against its scales.
-    pub along: f64,
-    /// See `along`.
-    pub against: f64,
-}
-
-/// The surfaces that a strand's points may touch, at the end of a step.
-pub trait Surfaces {
-    /// The nearest surface at a point `arclength` from the root whose place is `now`, or, where none is near, a distance that
-    /// they all have at least, m.
-    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<SurfaceAtPoint, f64>;
-    /// How deep the point, at `start` then, was in the body when the step began, m; zero or less for outside.
-    fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
-}
-
-/// A contact at the end of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct PointContact {
-    /// Arclength from the root, m.
-    pub arclength: f64,
-    /// Its place, m, world.
-    pub position: Vec3<f64>,
-    /// The surface, with the gap at the end.
-    pub surface: SurfaceAtPoint,
-    /// Force on the strand, N.
-    pub force: Vec3<f64>,
-    /// Slip along the surface during the step, m.
-    pub slip: Vec3<f64>,
-}
-
-/// How deep a strand is in bodies, m; below zero for outside.
-#[derive(Debug, Clone, Copy)]
-pub struct DepthAtPoints {
-    /// Where it is deepest.
-    pub deepest: f64,
-    /// At its root, if that takes part in contact.
-    pub root: f64,
-}
-
-impl DepthAtPoints {
-    /// That of a strand that nothing is near.
-    pub const NONE: Self = Self { deepest: f64::NEG_INFINITY, root: f64::NEG_INFINITY };
-}
 
 /// The springs of contact, with what is known of every point.
 #[derive(Debug, Clone)]
@@ -168,7 +99,7 @@ impl Places {
     /// A point now, m, world.
     #[inline(always)]
     fn now<T: Lane>(&self, it: &Iterate<T>, p: usize, lane: usize) -> Vec3<f64> {
-        let lane_of = |vector: &Vec3<T>| super::members::lane_of(vector, lane, self.unit);
+        let lane_of = |vector: &Vec3<T>| loaded::lane_of(vector, lane, self.unit);
         let mut now = lane_of(&it.kinematics.points[p].position);
         if T::PRECISION == Precision::F32 {
             now += lane_of(&it.point_compensation[p]);
@@ -200,7 +131,7 @@ impl Touching<'_> {
         contacts.starts.clear();
         for lane in 0..self.members.count() {
             let (unit, origin) = (self.units[lane].length, Vec3::from(self.members.state(lane).root.origin));
-            let start = |(base, arclength)| Start { arclength, at: origin + super::members::lane_of(base, lane, unit) };
+            let start = |(base, arclength)| Start { arclength, at: origin + loaded::lane_of(base, lane, unit) };
             contacts.starts.extend(it.point_base.iter().zip(self.arclengths(lane)).map(start));
         }
         contacts.free_stiffness.clone_from(&system.point_stiffness);
@@ -278,7 +209,7 @@ impl Touching<'_> {
 
     /// The gap of a point above where its spring rests, by its plane, m.
     fn planar_gap<T: Lane>(&self, it: &Iterate<T>, places: &Places, p: usize, lane: usize, now: Vec3<f64>) -> f64 {
-        let normal = super::members::lane_of(&it.system.normals[p], lane, 1.0);
+        let normal = loaded::lane_of(&it.system.normals[p], lane, 1.0);
         normal.dot(now - places.end) - it.contacts.offsets[p].lane(lane) * places.unit
     }
 
@@ -356,7 +287,7 @@ impl Touching<'_> {
     fn tangent<T: Lane>(&self, it: &Iterate<T>, p: usize, lane: usize) -> Vec3<f64> {
         let points = &it.kinematics.points;
         let (from, to) = if p + 1 < points.len() { (p, p + 1) } else { (p - 1, p) };
-        let chord = super::members::lane_of(&(points[to].position - points[from].position), lane, 1.0);
+        let chord = loaded::lane_of(&(points[to].position - points[from].position), lane, 1.0);
         let length = chord.norm_squared().sqrt();
         if length > 0.0 { chord.scale(1.0 / length) } else { Vec3::zero() }
     }
@@ -404,7 +335,7 @@ impl Touching<'_> {
                 let (moved, carried) = ((now - start).scale(per_step), surface.carried.scale(per_step));
                 let away = surface.normal.dot(moved - carried).max(0.0);
                 let moved = moved - surface.normal.scale(away);
-                super::members::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
+                loaded::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
             }
         }
     }
@@ -423,7 +354,7 @@ impl Touching<'_> {
             let unit = self.units[lane].force() / places.unit;
             let friction = it.contacts.friction[p].lane(lane) * unit;
             let stiffness = it.contacts.planes[p].lane(lane) * unit;
-            let anchor = places.end + super::members::lane_of(&it.contacts.anchors[p], lane, places.unit);
+            let anchor = places.end + loaded::lane_of(&it.contacts.anchors[p], lane, places.unit);
             let force = surface.normal.scale(stiffness * overlap) + tangential(anchor - now, surface.normal).scale(friction);
             let slip = tangential((now - start) - surface.carried, surface.normal);
             take(PointContact { arclength, position: now, surface, force, slip });

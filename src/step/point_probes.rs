@@ -3,7 +3,7 @@
 //!
 //! A place between two points has no force of its own: if it is deeper in a body than they are, both bear it.
 
-use super::point_contacts::{SurfaceAtPoint, Surfaces};
+use super::point_surfaces::{SurfaceAtPoint, Surfaces};
 use crate::math::vector::Vec3;
 
 /// Surfaces this near may touch a point that lay on them when the step began, m.

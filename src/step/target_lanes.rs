@@ -1,6 +1,7 @@
 //! The targets of a pack's strands in lanes: what draws each quadrature point at the end of a stage.
 
-use super::members::{Pack, Units, put};
+use super::loaded::{Units, put};
+use super::members::Pack;
 use crate::math::lane::{Lane, MAX_LANES};
 use crate::math::quadrature::Rule;
 use crate::math::vector::Vec3;

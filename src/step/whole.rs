@@ -1,7 +1,8 @@
 //! A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 
 use super::context::StepContext;
-use super::members::{self, Pack, StepEnd};
+use super::loaded;
+use super::members::{Pack, StepEnd};
 use super::options::Integrator;
 use super::point_contacts::Touching;
 use super::root_velocity::root_velocity;
@@ -110,7 +111,7 @@ pub(super) fn energies<T: Lane>(
     for lane in 0..loaded.count {
         let (units, model) = (&loaded.units[lane], members.model(lane));
         // First moment of length: metres squared.
-        let weighted = members::lane_of(&weighted, lane, units.length * units.length);
+        let weighted = loaded::lane_of(&weighted, lane, units.length * units.length);
         let origin = Vec3::from(workspace.roots[lane].origin).scale(model.length());
         outcomes[lane].energies = Energies {
             kinetic: kinetic.lane(lane) * units.energy(),
@@ -239,10 +240,10 @@ impl<T: Lane> Kernel for Save<'_, T> {
             }
         }
         for (velocity, lanes) in state.velocities.iter_mut().zip(&stage.velocities) {
-            *velocity = members::lane_of(lanes, lane, speed);
+            *velocity = loaded::lane_of(lanes, lane, speed);
         }
-        state.wrench_force = members::lane_of(&workspace.wrench_force, lane, units.force());
-        state.wrench_torque = members::lane_of(&workspace.wrench_torque, lane, units.energy());
+        state.wrench_force = loaded::lane_of(&workspace.wrench_force, lane, units.force());
+        state.wrench_torque = loaded::lane_of(&workspace.wrench_torque, lane, units.energy());
         let root = workspace.roots[lane];
         (state.root_velocity, state.root_angular_velocity) = workspace.root_velocities[lane];
         state.root = root;

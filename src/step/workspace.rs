@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::iterate::Iterate;
-use super::members::Loaded;
-use super::point_contacts::PointContact;
+use super::loaded::Loaded;
+use super::point_surfaces::PointContact;
 use super::tableau::MAX_STAGES;
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES};
