@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 from conftest import GROOMS, ROOT, hanging, sphere_mesh
@@ -22,6 +24,31 @@ def test_a_groom_is_read(sintel) -> None:
     assert sintel.roots.shape == (38, 3)
     with pytest.raises(ValueError, match=r"median strand is .* units long: give metres a unit"):
         shx.Groom.read(GROOMS / "sintel_hair_001.tfx")
+
+
+def test_curves_drawn_inside_the_body_are_pushed_out_with_a_warning_or_stay_as_drawn() -> None:
+    along = np.linspace(0.0, 0.1, 21)
+    level = np.stack([along - 0.05, np.zeros(21), np.full(21, 0.046)], axis=1)
+    clear, through = level + [0.0, 0.0, 0.01], level - [0.0, 0.0, 0.046]
+    body, text = shx.BodyDef.sphere(0.05), r"1 of 2 curves are drawn up to 4\.0 mm inside the body, and pushed out of it by up to \d"
+    groom = shx.Groom.from_curves(np.stack([level, clear]))
+    with pytest.warns(shx.DrawnInsideWarning, match=text) as caught, prepare(groom, body=body) as made:
+        assert caught[0].filename == __file__
+        assert made.pushed_out is not None
+        assert np.linalg.norm(made.pushed_out.points, axis=1).min() > 0.05
+    with pytest.warns(shx.DrawnInsideWarning, match=text) as caught:
+        shx.simulate(groom, duration=0.05, body=body)
+    assert caught[0].filename == __file__
+    with pytest.warns(shx.DrawnInsideWarning, match="2 stay inside, since no way out was found"):
+        prepare(shx.Groom.from_curves(np.stack([through, through + [0.0, 1e-3, 0.0], clear])), body=body).solver.close()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with prepare(groom, body=body, push_out=False) as made:
+            assert made.pushed_out is None
+            drawn = made.solver.sample_strands(21, made.strands)
+            assert np.linalg.norm(drawn[0], axis=1).min() < 0.0465
+        # What lies within 2 mm is moved without a word: roots lie in the skin.
+        prepare(shx.Groom.from_curves(np.stack([level + [0.0, 0.0, 0.003], clear])), body=body).solver.close()
 
 
 def test_a_groom_rests_as_drawn_and_goes_with_a_walking_head(sintel, tmp_path) -> None:

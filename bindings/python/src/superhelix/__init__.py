@@ -13,6 +13,7 @@ from superhelix._library import abi_version, build_info, version
 from superhelix.attachments import Attachment
 from superhelix.bodies import BodyDef, bake_distance_grid
 from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, write_curves
+from superhelix.drawn_inside import DrawnInsideWarning
 from superhelix.enums import *  # noqa: F403
 from superhelix.errors import *  # noqa: F403
 from superhelix.fit import Fit, fit_polyline, fit_strands, sag_free_curvatures, spline_points
@@ -54,6 +55,7 @@ __all__ = [
     "CurveCacheWriter",
     "CurveData",
     "Curves",
+    "DrawnInsideWarning",
     "Fit",
     "Groom",
     "Haptic",

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from superhelix._buffers import column
 from superhelix.bodies import BodyDef
 from superhelix.curves import CurveCacheWriter, CurveData, Curves, Path
+from superhelix.drawn_inside import warn_of
 from superhelix.enums import CurveAttribute, StrandStatus, UpAxis
 from superhelix.fit import Fit, fit_strands
 from superhelix.hair import wisp_material
@@ -23,6 +24,7 @@ from superhelix.ids import BodyId, StrandIds
 from superhelix.motion import Motion, carried, carried_roots, frames_at, root_velocities, still
 from superhelix.records import ContactOptions, FitOptions, Material, Settings, StepReport, StrandContact, Wisp
 from superhelix.solver import Solver
+from superhelix.solver.contact import PushedOut
 from superhelix.strand_defs import StrandDefs
 
 if TYPE_CHECKING:
@@ -182,6 +184,8 @@ class GroomSolver:
     #: By which factor each strand was made stiffer, so that it rests as drawn.
     stiffening: Numbers
     wisp_radius: float
+    #: The groom's curves pushed out of the body; None without a body, or with push_out=False.
+    pushed_out: PushedOut | None = None
 
     def move_head(self, start: npt.ArrayLike, now: npt.ArrayLike, over_seconds: float = 0.0) -> None:
         """Moves roots and body with a head that went from the frame start, where the groom was drawn, to the frame now."""
@@ -205,6 +209,7 @@ def prepare(
     element_count: int = 10,
     refine: bool = True,
     body: BodyDef | None = None,
+    push_out: bool = True,
     wisp_contact_radius: float = 0.0,
     contact: StrandContact | None = None,
     settings: Settings | None = None,
@@ -218,7 +223,8 @@ def prepare(
     """Adds a groom to a new solver so that it rests as drawn: pushes curves out of the body, fits strands, gives them the material of wisps (wisp: the
     wisp; hair: the material of its hairs; bare: single hairs), stiffens them as far as rest takes, and permits the overlaps that remain.
 
-    body: keeps hair out, in the groom's axes, m. wisp_contact_radius: above 0, strands collide with each other as wisps of that radius, m. contact:
+    body: keeps hair out, in the groom's axes, m. push_out: whether curves that are drawn inside it are pushed out first; if that moves one by more than
+    2 mm, or finds no way out, there is a DrawnInsideWarning. False: they stay as drawn. wisp_contact_radius: above 0, strands collide with each other as wisps of that radius, m. contact:
     a StrandContact in place of the default. settings: the result of preset_settings. pivot: the head's joint, m (default: the mean of the roots).
     motion, start: hair begins with the velocity that this motion has at the time start, if it has a method velocity (see motion_from_samples);
     else at rest. solver_fields: fields of SolverDef.
@@ -229,10 +235,12 @@ def prepare(
         solver_fields.setdefault("tolerance", 1e-4)
     solver = Solver(gravity=down, worker_count=worker_count, settings=settings, **solver_fields)
     meets = contact if contact is not None else StrandContact(radius=max(rod.material.radius), wisp_radius=wisp_contact_radius)
-    curves, body_id = groom, None
+    curves, body_id, pushed = groom, None, None
     if body is not None:
         body_id = solver.add_body(body)
+    if body_id is not None and push_out:
         pushed = solver.push_out_curves(body_id, groom.points, groom.point_counts, meets.radius)
+        warn_of(pushed)
         curves = Groom(pushed.points, groom.point_counts, groom.up_axis, groom.metres_per_unit, groom.arclengths)
     fit = fit_groom(curves, element_count, refine=refine, worker_count=worker_count)
     good = fit.fitted & (fit.strands.length > 2.0 * max(rod.material.radius))
@@ -255,7 +263,8 @@ def prepare(
         solver.permit_overlaps(strands)
     roots = solver.root_frames(strands)
     indices = np.arange(len(groom))
-    return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius))
+    radius = max(rod.radius, meets.wisp_radius)
+    return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, radius, pushed)
 
 
 @dataclass
