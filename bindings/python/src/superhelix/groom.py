@@ -224,8 +224,9 @@ def prepare(
     wisp; hair: the material of its hairs; bare: single hairs), stiffens them as far as rest takes, and permits the overlaps that remain.
 
     body: keeps hair out, in the groom's axes, m. push_out: whether curves that are drawn inside it are pushed out first; if that moves one by more than
-    2 mm, or finds no way out, there is a DrawnInsideWarning. False: they stay as drawn. wisp_contact_radius: above 0, strands collide with each other as wisps of that radius, m. contact:
-    a StrandContact in place of the default. settings: the result of preset_settings. pivot: the head's joint, m (default: the mean of the roots).
+    2 mm, or finds no way out, there is a DrawnInsideWarning. False: they stay as drawn. wisp_contact_radius: above 0, strands collide with each other
+    as wisps of that radius, m. contact: a StrandContact in place of the default. settings: the result of preset_settings. pivot: the head's joint, m
+    (default: the mean of the roots).
     motion, start: hair begins with the velocity that this motion has at the time start, if it has a method velocity (see motion_from_samples);
     else at rest. solver_fields: fields of SolverDef.
     """
