@@ -154,13 +154,14 @@ impl ConstrainedStrand {
         !self.final_poses.is_empty()
     }
 
-    /// Moves the bodies to their poses in the scene, and includes other strands: for the search for overlap that is left.
+    /// Puts the bodies where they are in the scene, at rest, and includes other strands: for the search for overlap that is left. (A body
+    /// that went there from where it follows the strand would go through it, and count as deep by all of that way.)
     pub fn look_around(&mut self, bodies: &[BodyAt]) {
         if self.meets == Meets::Bodies {
             self.meets = Meets::All;
         }
         for (motion, body) in self.body_motions.iter_mut().zip(bodies) {
-            motion[1] = body.end;
+            *motion = [body.end; 2];
         }
     }
 

@@ -15,7 +15,7 @@ _INSIDE = 2e-3
 
 
 class DrawnInsideWarning(UserWarning):
-    """Curves of a groom are drawn inside the body: they are pushed out of it, or begin inside."""
+    """Curves of a groom are drawn inside the body: they are pushed out of it, or stay inside."""
 
 
 def warn_of(pushed: PushedOut) -> None:
@@ -28,7 +28,7 @@ def warn_of(pushed: PushedOut) -> None:
     if moved > 0.0:
         text += f", and pushed out of it by up to {1e3 * moved:.1f} mm"
     if stuck:
-        text += f"; {stuck} stay inside, since no way out was found"
+        text += f"; no way out was found for {stuck} of them"
     package = os.path.dirname(__file__) + os.sep
     level, frame = 1, sys._getframe()
     while frame.f_code.co_filename.startswith(package) and (above := frame.f_back) is not None:
