@@ -99,7 +99,7 @@ pub fn has_shake(name: &str) -> bool {
     SHAKES.iter().any(|shake| shake.name == name)
 }
 
-/// Calm steps and steps of the ball, and strands for each of those that were asked for.
+/// The ball's calm steps, the steps in which it turns, and the fraction of the strands that take part.
 fn of_ball(quick: bool) -> ((usize, usize), f64) {
     if quick { ((20, 4), 0.1) } else { ((60, 60), 1.0) }
 }
@@ -126,31 +126,25 @@ fn near(quick: bool) -> Outcome<Vec<Row>> {
     let (steps, scale) = of_ball(quick);
     let strands = (2000.0 * scale) as usize;
     // These two by themselves: dear steps between theirs would empty the caches.
-    let mut all = turned(strands, 10, &[None, Some(BALL_NEAR)], steps)?;
+    let near = turned(strands, 10, &[None, Some(BALL_NEAR)], steps)?;
     let touched = turned(strands, 10, &[None, Some(BALL_BY_PENALTIES), Some(BALL_HARD)], steps)?;
-    let mut ratios: Vec<f64> = all.iter().map(|turned| over_free(turned, &all[0])).collect();
-    ratios.extend(touched[1..].iter().map(|turned| over_free(turned, &touched[0])));
-    all.extend(touched.into_iter().skip(1));
-    let about = [
-        ("free", "", "3.6"),
-        ("a ball near and not touched", "1.25 times free", "45.6 (12.7 times)"),
-        ("penalty, 2 iterations", "", "38"),
-        ("hard", "", "53.5"),
-    ];
-    let row = |((turned, ratio), (what, asked, when_asked)): ((&Turned, f64), (&str, &'static str, &'static str))| {
-        let of_strand = |milliseconds: f64| 1e3 * milliseconds / strands as f64;
-        Row {
-            what: format!("{strands} strands x 10 on a ball: {what}"),
-            unit: "us a strand",
-            asked,
-            when_asked,
-            measured: of_strand(median(turned.milliseconds.iter().copied())),
-            over_free: Some(ratio),
-            worst: Some(of_strand(turned.milliseconds.iter().copied().fold(0.0, f64::max))),
-            note: note_of(turned),
-        }
+    let of_strand = |milliseconds: f64| 1e3 * milliseconds / strands as f64;
+    let row = |turned: &Turned, free: &Turned, what: &str, asked: &'static str, when_asked: &'static str| Row {
+        what: format!("{strands} strands x 10 on a ball: {what}"),
+        unit: "us a strand",
+        asked,
+        when_asked,
+        measured: of_strand(median(turned.milliseconds.iter().copied())),
+        over_free: Some(over_free(turned, free)),
+        worst: Some(of_strand(turned.milliseconds.iter().copied().fold(0.0, f64::max))),
+        note: note_of(turned),
     };
-    Ok(all.iter().zip(ratios).zip(about).map(row).collect())
+    Ok(vec![
+        row(&near[0], &near[0], "free", "", "3.6"),
+        row(&near[1], &near[0], "a ball near and not touched", "1.25 times free", "45.6 (12.7 times)"),
+        row(&touched[1], &touched[0], "penalty, 2 iterations", "", "38"),
+        row(&touched[2], &touched[0], "hard", "", "53.5"),
+    ])
 }
 
 /// The walking head, of the cases that were measured.

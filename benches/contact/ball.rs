@@ -44,15 +44,21 @@ pub struct Turned {
     pub penetration: f64,
 }
 
+/// The `k`th of `count` roots all over a ball of this radius (m) from its pole down by a part of it, where 2 is the whole ball. Hair grows
+/// along the normals.
+pub fn root_on_ball(k: usize, count: usize, part: f64, radius: f64) -> Frame {
+    let (z, turn) = (1.0 - part * (k as f64 + 0.5) / count as f64, 2.399_963 * k as f64);
+    let flat = (1.0 - z * z).sqrt();
+    let up = Vector3::new(flat * turn.cos(), flat * turn.sin(), z);
+    let rotation = UnitQuaternion::from_quaternion(Quaternion::new(1.0 + up.x, 0.0, -up.z, up.y));
+    Frame { origin: up * radius, rotation }
+}
+
 fn strands(count: usize, elements: usize) -> Vec<StrandDef> {
     let def = |k: usize| {
         let mut def = StrandDef::straight(0.2, elements);
         (def.material.internal_friction, def.material.air_drag) = (1e-10, 1e-5);
-        let (z, turn) = (1.0 - 0.7 * (k as f64 + 0.5) / count as f64, 2.399_963 * k as f64);
-        let flat = (1.0 - z * z).sqrt();
-        let up = Vector3::new(flat * turn.cos(), flat * turn.sin(), z);
-        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(1.0 + up.x, 0.0, -up.z, up.y));
-        def.root = Frame { origin: up * ROOTS, rotation };
+        def.root = root_on_ball(k, count, 0.7, ROOTS);
         def.natural = vec![[3.0, 8.0 + 3.0 * (k as f64).sin(), 0.0]; elements];
         def
     };

@@ -6,12 +6,13 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::{
     BodyDef, BodyId, ContactModel, ContactOptions, Frame, Shape, Solver, SolverOptions, StepLimits, StepReport, StrandContact,
     StrandDef, StrandId,
 };
 
+use crate::ball::root_on_ball;
 use crate::{ELEMENTS, Outcome, STEP};
 
 const GUIDES: usize = 228;
@@ -43,11 +44,7 @@ impl Head {
         let def = |k: usize| {
             let mut def = StrandDef::straight(0.2, ELEMENTS);
             (def.material.internal_friction, def.material.air_drag) = (1e-10, 1e-5);
-            let (z, turn) = (1.0 - 0.8 * (k as f64 + 0.5) / GUIDES as f64, 2.399963 * k as f64);
-            let flat = (1.0 - z * z).sqrt();
-            let up = Vector3::new(flat * turn.cos(), flat * turn.sin(), z);
-            let rotation = UnitQuaternion::from_quaternion(Quaternion::new(1.0 + up.x, 0.0, -up.z, up.y));
-            def.root = Frame { origin: up * RADIUS, rotation };
+            def.root = root_on_ball(k, GUIDES, 0.8, RADIUS);
             def.natural = vec![[3.0, 8.0, 0.0]; ELEMENTS];
             def
         };

@@ -155,7 +155,7 @@ impl ConstrainedStrand {
     }
 
     /// Puts the bodies where they are in the scene, at rest, and includes other strands: for the search for overlap that is left. (A body
-    /// that went there from where it follows the strand would go through it, and count as deep by all of that way.)
+    /// that moved there from where it follows the strand would sweep through it, and the strand would count as deep by all of that way.)
     pub fn look_around(&mut self, bodies: &[BodyAt]) {
         if self.meets == Meets::Bodies {
             self.meets = Meets::All;

@@ -15,7 +15,7 @@ const THROUGH: f64 = 4.0;
 /// The depth of a contact, m; zero or below if the surfaces are apart. A contact between strands keeps the points and the
 /// normal that the search found, which have slid apart by the end of a step: a depth of more than `tolerance` is therefore
 /// measured between the nearest points of the strands near these. Points that have come to the other side are as deep as strands
-/// can be: by the sum of their radii, as far as they may not overlap.
+/// can be: by the sum of their radii, less the overlap that they are permitted.
 pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], tolerance: f64) -> f64 {
     let depth = -constraint.gap;
     let (ConstraintKind::Hair { margin, .. }, Some(second)) = (constraint.kind, constraint.second) else { return depth };

@@ -476,9 +476,9 @@ fn flown_through(shape: Shape, work: u64, hair: bool) -> (f64, u32) {
     (deepest, left)
 }
 
-/// A body follows strands that it has flown through while there was no time for them, and is metres away in the end. How deep they are is said of
-/// where it is: no deeper than it is thick, or, where it flies through, than it goes in a step. Strands that have come through each other are
-/// not as deep as that.
+/// A body follows strands that it has flown through while there was no time for them, and is metres away in the end. The report
+/// says how deep they are where it is: no deeper than it is thick, or, in hair on hair, than it flies in a step. That also bounds strands that
+/// have come through each other.
 #[test]
 fn strands_that_a_body_has_flown_through_are_no_deeper_than_it_is_thick() {
     let cases = [5e-3, 1e-2, 3e-2].into_iter().flat_map(|radius| [1000, 10_000, 50_000].map(|work| (radius, work)));
