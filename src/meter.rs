@@ -100,14 +100,19 @@ impl<'a> Meter<'a> {
         self.spent.store(spent, Ordering::Relaxed);
     }
 
+    /// Work spent so far, in the same measure. Call it while no thread works.
+    pub fn spent(&self) -> u64 {
+        self.spent.load(Ordering::Relaxed)
+    }
+
     /// The remaining work, in the same measure. Call it while no thread works, so that it is the same for any number of threads.
     pub fn left(&self) -> u64 {
-        self.most.saturating_sub(self.spent.load(Ordering::Relaxed))
+        self.most.saturating_sub(self.spent())
     }
 
     /// Units spent so far.
     pub fn units(&self) -> u64 {
-        self.spent.load(Ordering::Relaxed) / UNIT
+        self.spent() / UNIT
     }
 
     /// Whether the time is up or the host has cancelled: the current work must end.

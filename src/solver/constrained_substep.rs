@@ -56,6 +56,8 @@ pub(super) struct ConstrainedSubstep {
     contacts: Vec<Contact>,
     /// The last substep's time beside its iterations, s.
     overhead: Overhead,
+    /// Strands (by index) that substeps have not solved, of the host's present substep.
+    unsolved: Vec<u32>,
     /// Takes the substeps of a substep, see `substeps.rs`.
     shorter: Option<Box<ConstrainedSubstep>>,
 }
@@ -91,6 +93,8 @@ pub(super) struct Scene<'a> {
     pub is_fast: bool,
     /// Whether it is a substep within a substep: strands outside it are already at the end of the whole.
     pub is_nested: bool,
+    /// It is not halved again once the meter has counted this much, see `substeps.rs`.
+    pub halving_ends: u64,
 }
 
 impl<'a> Scene<'a> {
@@ -158,6 +162,11 @@ impl ConstrainedSubstep {
         self.contacts.clear();
     }
 
+    /// Begins a substep of the host's, which may be taken in parts.
+    pub fn begin_whole(&mut self) {
+        self.unsolved.clear();
+    }
+
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
         self.coupled.detection().forget_pairs();
@@ -210,7 +219,7 @@ impl ConstrainedSubstep {
         let iterates = self.coupled.run(&stepping, &mut Beginning { scene, pairs: &mut self.pairs, h }, is_last, &mut tally);
         account.contact.count(&tally);
         let ends = scene.meter.has_deadline().then(Instant::now);
-        let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
+        let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No && scene.meter.spent() < scene.halving_ends;
         let taking = if goes_on { self.choose_subdivided(scene) } else { Vec::new() };
         self.finish(scene, h);
         let substeps = (!taking.is_empty()).then(|| self.take_substeps(scene, h, levels - 1, &taking));
@@ -221,6 +230,9 @@ impl ConstrainedSubstep {
             self.overhead = Overhead { begin, end: ends.elapsed().as_secs_f64() };
         }
         if let Some(substeps) = substeps {
+            if !scene.is_nested {
+                self.note_unsolved(&taking, &substeps);
+            }
             self.add_substeps(&substeps, account);
         }
     }

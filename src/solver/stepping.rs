@@ -291,6 +291,7 @@ impl Solver {
         'substeps: for substep in 0..clock.substeps {
             let substeps = f64::from(clock.substeps - substep);
             self.prepare_motions(h);
+            self.constrained_substep.begin_whole();
             let parts = self.parts_of_substep(h).min(clock.max_substeps(substeps, self.constrained_substep.overhead()));
             spent.parts = spent.parts.max(parts);
             let mut work = clock.work();
@@ -373,6 +374,7 @@ impl Solver {
             is_last,
             is_fast,
             is_nested: false,
+            halving_ends: u64::MAX,
         };
         let (are_near, tolerance) = (ConstrainedSubstep::mark(&mut scene, h), scene.options.tolerance);
         let at_points = at_points::options(scene.options, h);

@@ -19,6 +19,7 @@ mod jumps_and_budgets;
 mod moving_bodies;
 mod near_without_touching;
 mod nearest_points_of_shapes;
+mod nowhere_to_go;
 #[path = "../numbers/mod.rs"]
 mod numbers;
 mod out_of_reach;

@@ -61,6 +61,9 @@ pub(in crate::contact) struct Goal {
     pub part: f64,
     /// when this cost is spent, nanoseconds or so.
     pub max_work: u64,
+    /// Whether what Newton's iteration does not solve goes to the interior-point method. That begins from the problem, not from the present
+    /// forces: of the same contacts it finds the same again.
+    pub unjams: bool,
 }
 
 /// The solver's memory.
@@ -105,7 +108,7 @@ impl BlockNewton {
         goal: Goal,
         meter: &Meter,
     ) {
-        let Goal { tolerance, part, max_work } = goal;
+        let Goal { tolerance, part, max_work, unjams } = goal;
         self.begin(system, forces, rows);
         self.work = WORK_A_ROW * rows.len() as u64;
         let mut worst = self.residual(space, system, report);
@@ -158,8 +161,8 @@ impl BlockNewton {
                 break;
             }
         }
-        if best > tolerance && m <= FEW {
-            self.unjam(space, system, report, Goal { tolerance, part: best, max_work }, meter);
+        if unjams && best > tolerance && m <= FEW {
+            self.unjam(space, system, report, Goal { tolerance, part: best, max_work, unjams }, meter);
         }
     }
 

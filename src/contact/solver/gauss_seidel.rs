@@ -161,7 +161,8 @@ impl GaussSeidel {
             } else if report.sweeps > best_at + PATIENCE {
                 break;
             }
-            let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work: settings.max_work - report.work };
+            let max_work = settings.max_work - report.work;
+            let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work, unjams: tries == 0 };
             let slow = report.residual > SLOW * last;
             last = report.residual;
             // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.

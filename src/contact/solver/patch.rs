@@ -55,7 +55,7 @@ impl Patches {
         meter: &Meter,
     ) -> u64 {
         let tolerance = goal.tolerance;
-        let aim = Goal { tolerance: AIM * tolerance, part: PART, max_work: goal.max_work / MAX_PATCHES as u64 };
+        let aim = Goal { tolerance: AIM * tolerance, part: PART, max_work: goal.max_work / MAX_PATCHES as u64, ..goal };
         self.begin(space, system, forces, report);
         let mut patches = std::mem::take(&mut self.patches);
         patches.resize_with(MAX_PATCHES, Patch::default);

@@ -16,6 +16,9 @@ const SOFT_TOLERANCE: f64 = 2e-3;
 /// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
 /// is ended.
 const PATIENCE: [f64; 3] = [5.0, 15.0, 25.0];
+/// An iteration of few strands whose contact problem is not solved counts as so many of these: no forces satisfy most such problems, and contacts
+/// that yield come next.
+const UNSOLVED: f64 = 3.0;
 /// Tolerances of an island that has not converged and is kept as it is: of a strand, rad; of a contact, in units of the contact
 /// tolerance; of a bilateral constraint, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
@@ -106,7 +109,11 @@ impl Island {
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
         }
         let moving = self.strands.iter().filter(|strand| !strands[**strand as usize].rest.is_resting()).count();
-        self.progress.spent += if self.progress.is_solved { moving as f64 / self.strands.len() as f64 } else { 1.0 };
+        self.progress.spent += match () {
+            () if self.progress.is_solved => moving as f64 / self.strands.len() as f64,
+            () if self.strands.len() <= FEW && !self.has_bilateral() => UNSOLVED,
+            () => 1.0,
+        };
         let left = (residual / tolerance).max(self.progress.ending.residual / ROUGH);
         if left < 0.5 * self.progress.best.0 {
             self.progress.best = (left, self.progress.spent);
