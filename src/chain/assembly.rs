@@ -4,7 +4,7 @@
 use super::load::Load;
 use super::pivot::factorise;
 use super::reduced::Reduced;
-use super::system::ChainSystem;
+use super::system::{ChainSystem, springs_of};
 use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, Kinematics};
@@ -280,10 +280,11 @@ impl<T: Lane, const D: usize> Meets<T, D> {
                 left.tension_moment += x.cross(f);
                 left.tension_force += f;
             }
-            if let Some(stiffness) =
-                system.normal_stiffness.get(p).filter(|stiffness| T::any(T::zero().less(**stiffness * **stiffness)))
-            {
-                self.add_normal_spring(left, element.frame_left.apply_transposed(system.normals[p]), *stiffness, x, &j);
+            for spring in springs_of(p, system.point_stiffness.len(), system.normals.len()) {
+                let stiffness = system.normal_stiffness[spring];
+                if T::any(T::zero().less(stiffness * stiffness)) {
+                    self.add_normal_spring(left, element.frame_left.apply_transposed(system.normals[spring]), stiffness, x, &j);
+                }
             }
             for i in 0..D {
                 let kj = j[i].scale(stiffness);

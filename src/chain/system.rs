@@ -15,7 +15,8 @@ pub struct ChainSystem<T> {
     pub point_force: Vec<Vec3<T>>,
     /// Forces whose geometric terms enter the exact Hessian, world axes, N; empty for those of `point_force`.
     pub point_tension: Vec<Vec3<T>>,
-    /// Unit normals of springs that act on the points in one direction only, world axes; empty where there are none.
+    /// Unit normals of springs that act on the points in one direction only, world axes: one of each point, or several rounds of that
+    /// ([`springs_of`]); empty where there are none.
     pub normals: Vec<Vec3<T>>,
     /// Stiffness of each of these springs, N/m; zero for none. Below zero it takes away from what `point_stiffness` has along the normal.
     pub normal_stiffness: Vec<T>,
@@ -94,5 +95,30 @@ impl<T: Lane> ChainSystem<T> {
         self.normal_stiffness.clear();
         self.curvature_stiffness.resize(elements, [T::zero(); 3]);
         self.curvature_force.resize(elements, [T::zero(); 3]);
+    }
+}
+
+/// Where the normal springs of point `p` are in lists that hold `count` of them, one round of the `points` points after another.
+#[inline(always)]
+pub fn springs_of(p: usize, points: usize, count: usize) -> SpringsOf {
+    SpringsOf { next: p, points, count }
+}
+
+/// See [`springs_of`].
+#[derive(Debug)]
+pub struct SpringsOf {
+    next: usize,
+    points: usize,
+    count: usize,
+}
+
+impl Iterator for SpringsOf {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        let spring = self.next;
+        self.next += self.points;
+        (spring < self.count).then_some(spring)
     }
 }

@@ -7,10 +7,12 @@ use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::Surface;
 use crate::math::vector::Vec3;
-use crate::step::point_surfaces::{SurfaceAtPoint, Surfaces};
+use crate::step::point_surfaces::{NearestSurfaces, SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;
+/// A second body that is farther than this from a point holds nothing there, m.
+const TOUCHES: f64 = 1e-3;
 /// A surface that is farther than this from a point need not be known, m.
 const NEAR: f64 = 2e-3;
 /// No surface is asked for that is farther, m.
@@ -36,20 +38,49 @@ impl StrandSurfaces<'_> {
     }
 }
 
+impl<'a> StrandSurfaces<'a> {
+    fn surface(&self, found: &Found<'a>, permitted: f64) -> SurfaceAtPoint {
+        let Found { gap, body, surface } = found;
+        SurfaceAtPoint {
+            body: body.index,
+            feature: surface.feature,
+            gap: gap + permitted,
+            permitted,
+            margin: self.contact.radius + body.thickness,
+            normal: body.to_world(&surface.normal).into(),
+            carried: body.carried(surface).into(),
+            along: self.contact.friction.along * body.friction,
+            against: self.contact.friction.against * body.friction,
+        }
+    }
+}
+
+/// The surface of a body that is near a point.
+struct Found<'a> {
+    gap: f64,
+    body: &'a BodyAt<'a>,
+    surface: Surface,
+}
+
 impl Surfaces for StrandSurfaces<'_> {
-    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<SurfaceAtPoint, f64> {
+    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<NearestSurfaces, f64> {
         if arclength < self.contact.exempt_length {
             // How near a surface is here says nothing of the points that take part.
             return Err(0.0);
         }
         let (radius, at) = (self.contact.radius, Vector3::from(now));
-        let mut nearest: Result<(f64, &BodyAt, Surface), f64> = Err(FAR);
+        let mut nearest: Result<Found, f64> = Err(FAR);
+        let mut next: Option<Found> = None;
         for index in self.near {
             let body = &self.bodies[*index as usize];
             let margin = radius + body.thickness;
-            let least = nearest.as_ref().map_or_else(|far| *far, |(gap, ..)| *gap);
+            let limit = match (&nearest, &next) {
+                (Err(far), _) => *far,
+                (Ok(first), None) => first.gap.max(TOUCHES),
+                (Ok(_), Some(second)) => second.gap,
+            };
             let away = body.bounds.distance(&at) - margin;
-            if away > least {
+            if away > limit {
                 continue;
             }
             let found = if away < NEAR {
@@ -59,25 +90,21 @@ impl Surfaces for StrandSurfaces<'_> {
                 Err(away)
             };
             match (found, &mut nearest) {
-                (Ok(surface), _) if surface.distance - margin < least => {
-                    nearest = Ok((surface.distance - margin, body, surface));
+                (Ok(surface), nearest) if surface.distance - margin < limit => {
+                    let found = Found { gap: surface.distance - margin, body, surface };
+                    let second = match nearest {
+                        Ok(first) if first.gap <= found.gap => Some(found),
+                        _ => std::mem::replace(nearest, Ok(found)).ok(),
+                    };
+                    next = second.filter(|second| second.gap < TOUCHES).or(next);
                 }
                 (Err(far), Err(least)) => *least = least.min(far),
                 _ => {}
             }
         }
-        let (gap, body, surface) = nearest?;
-        let permitted = self.permitted(arclength);
-        Ok(SurfaceAtPoint {
-            body: body.index,
-            feature: surface.feature,
-            gap: gap + permitted,
-            permitted,
-            normal: body.to_world(&surface.normal).into(),
-            carried: body.carried(&surface).into(),
-            along: self.contact.friction.along * body.friction,
-            against: self.contact.friction.against * body.friction,
-        })
+        let (nearest, permitted) = (nearest?, self.permitted(arclength));
+        let surface = |found: &Found| self.surface(found, permitted);
+        Ok(NearestSurfaces { nearest: surface(&nearest), next: next.as_ref().map(surface) })
     }
 
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64 {

@@ -1,10 +1,10 @@
 //! The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand
 //! between them.
 
-use super::point_contacts::PointContacts;
+use super::point_springs::PointContacts;
 use crate::chain::axes::{axes, for_axes};
 use crate::chain::displacement;
-use crate::chain::system::ChainSystem;
+use crate::chain::system::{ChainSystem, springs_of};
 use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
@@ -186,10 +186,12 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for PredictTension<'_, T, 
     fn run(self) {
         let Self { trial, tension, stiffness, normals, normal_stiffness, change, gone } = self;
         let axes = const { axes::<D>(MASK) };
+        let points = stiffness.len();
         displacement::for_each_point_along(trial, change, axes, |p, moved| {
             tension[p] -= moved.scale(gone * stiffness[p]);
-            if let Some(normal) = normals.get(p) {
-                tension[p] -= normal.scale(gone * normal_stiffness[p] * normal.dot(moved));
+            for spring in springs_of(p, points, normals.len()) {
+                let normal = normals[spring];
+                tension[p] -= normal.scale(gone * normal_stiffness[spring] * normal.dot(moved));
             }
         });
     }
@@ -273,10 +275,10 @@ impl<T: Lane> Kernel for Evaluate<'_, T> {
             let square = off.norm_squared();
             value += half * stiffness * square;
             lever += stiffness * (square * point.position.norm_squared()).sqrt();
-            if let Some(normal) = self.system.normals.get(p) {
-                let off = normal.dot(point.position) - self.contacts.offsets[p];
-                value += half * self.contacts.along_normal(p, off) * off * off;
-                lever += self.contacts.planes[p] * (off * off * point.position.norm_squared()).sqrt();
+            for spring in springs_of(p, self.point_base.len(), self.system.normals.len()) {
+                let off = self.system.normals[spring].dot(point.position) - self.contacts.offsets[spring];
+                value += half * self.contacts.along_normal(spring, off) * off * off;
+                lever += self.contacts.planes[spring] * (off * off * point.position.norm_squared()).sqrt();
             }
         }
         for (element, row) in self.curvatures.iter().enumerate() {
@@ -360,13 +362,13 @@ impl<T: Lane> Kernel for Forces<'_, T> {
             }
             let off = self.point_target[p] - moved;
             self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
-            if let Some(normal) = self.system.normals.get(p) {
-                let mut at = point.position;
+            for spring in springs_of(p, self.point_base.len(), self.system.normals.len()) {
+                let (normal, mut at) = (self.system.normals[spring], point.position);
                 if T::PRECISION == Precision::F32 {
                     at += self.point_compensation[p];
                 }
-                let off = normal.dot(at) - self.contacts.offsets[p];
-                self.system.point_force[p] -= normal.scale(self.contacts.along_normal(p, off) * off);
+                let off = normal.dot(at) - self.contacts.offsets[spring];
+                self.system.point_force[p] -= normal.scale(self.contacts.along_normal(spring, off) * off);
             }
         }
         for (element, row) in self.curvatures.iter().enumerate() {

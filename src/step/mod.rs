@@ -22,7 +22,9 @@
 //! - `packs.rs`: The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
 //! - `point_contacts.rs`: Contact at the quadrature points.
 //! - `point_probes.rs`: Where the surfaces of bodies are about a strand's quadrature points (`point_contacts.rs`).
+//! - `point_springs.rs`: The springs that contact gives to the quadrature points (`point_contacts.rs`), in lanes.
 //! - `point_surfaces.rs`: What contact at points asks of the bodies' surfaces, and what it finds (`point_contacts.rs`).
+//! - `point_touches.rs`: The surfaces near a quadrature point (`point_contacts.rs`): of two bodies, or the two sides of a crease in one.
 //! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
 //! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //! - `regrid.rs`: Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away.
@@ -59,7 +61,9 @@ pub mod options;
 pub mod packs;
 pub mod point_contacts;
 mod point_probes;
+pub mod point_springs;
 pub mod point_surfaces;
+mod point_touches;
 pub mod radau;
 pub mod reference;
 pub mod regrid;

@@ -1,5 +1,5 @@
 //! Contact at the quadrature points: the points that a body presses get springs for the step, one along the surface's normal and
-//! one along the surface, so that contact is part of a strand's own minimisation and packs take it side by side.
+//! one along the surface, from each of a few surfaces, so that contact is part of a strand's own minimisation and packs take it side by side.
 //!
 //! Symbols: g is the gap of a point's surface from the body's, n the normal there, S the stiffness that a point has from its inertia
 //! in the step and from bending, k = 100 S. The potential gains ½ k g² where g < 0, by the tangent plane of the last iterate, and ½ c |slip|²
@@ -11,8 +11,10 @@ use super::iterate::Iterate;
 use super::line_search::lanes;
 use super::loaded::{self, Units};
 use super::members::Pack;
-use super::point_probes::{Asks, Known, Line, Point, Start};
+use super::point_probes::{Asks, Line, Point, Start};
+use super::point_springs::{PointContacts, Spring};
 use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SurfaceAtPoint, Surfaces};
+use super::point_touches::{Side, Touch};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
@@ -30,45 +32,6 @@ const STICKING: f64 = 100.0;
 
 /// The contacts of a strand have settled when their forces differ from the law by no more than what takes a point this far in the step, m.
 const SETTLED: f64 = 5e-3;
-
-/// The springs of contact, with what is known of every point.
-#[derive(Debug, Clone)]
-pub struct PointContacts<T> {
-    /// n·r where a point's normal spring rests; r relative to the root's origin at the end of the step.
-    pub offsets: Vec<T>,
-    /// k of the points with a surface near them; zero for others.
-    pub planes: Vec<T>,
-    /// Stiffness c of friction, and where it holds a point, relative to the root's origin at the end of the step.
-    friction: Vec<T>,
-    anchors: Vec<Vec3<T>>,
-    /// Stiffnesses and targets of the points without contact.
-    free_stiffness: Vec<T>,
-    free_target: Vec<Vec3<T>>,
-    /// By lane, its points from root to tip.
-    known: Vec<Known>,
-    starts: Vec<Start>,
-    /// Memory for the points of a lane.
-    points: Vec<Point>,
-    /// The overlaps at the end, by lane.
-    pub depth: [DepthAtPoints; MAX_LANES],
-}
-
-impl<T> Default for PointContacts<T> {
-    fn default() -> Self {
-        Self {
-            offsets: Vec::new(),
-            planes: Vec::new(),
-            friction: Vec::new(),
-            anchors: Vec::new(),
-            free_stiffness: Vec::new(),
-            free_target: Vec::new(),
-            known: Vec::new(),
-            starts: Vec::new(),
-            points: Vec::new(),
-            depth: [DepthAtPoints::NONE; MAX_LANES],
-        }
-    }
-}
 
 /// The strands of a pack that bodies may touch, while their step is minimised.
 pub struct Touching<'a> {
@@ -108,35 +71,17 @@ impl Places {
     }
 }
 
-impl<T: Lane> PointContacts<T> {
-    /// Stiffness along the normal of a point that is `off` above where its spring rests, beside that of its friction, which acts along
-    /// the surface alone.
-    #[inline(always)]
-    pub(super) fn along_normal(&self, p: usize, off: T) -> T {
-        T::select(off.less(T::zero()), self.planes[p], T::zero()) - self.friction[p]
-    }
-}
-
 impl Touching<'_> {
     /// Begins a step: nothing presses yet.
     pub fn begin<T: Lane>(&self, it: &mut Iterate<T>) {
-        let points = it.point_base.len();
-        let Iterate { contacts, system, .. } = it;
-        for list in [&mut contacts.offsets, &mut contacts.planes, &mut contacts.friction, &mut system.normal_stiffness] {
-            refill(list, points, T::zero());
-        }
-        refill(&mut contacts.anchors, points, Vec3::zero());
-        refill(&mut system.normals, points, Vec3::zero());
-        refill(&mut contacts.known, points * self.members.count(), Known::NOTHING);
+        let Iterate { contacts, system, point_target, point_base, .. } = it;
+        contacts.begin(system, point_target, self.members.count());
         contacts.starts.clear();
         for lane in 0..self.members.count() {
             let (unit, origin) = (self.units[lane].length, Vec3::from(self.members.state(lane).root.origin));
             let start = |(base, arclength)| Start { arclength, at: origin + loaded::lane_of(base, lane, unit) };
-            contacts.starts.extend(it.point_base.iter().zip(self.arclengths(lane)).map(start));
+            contacts.starts.extend(point_base.iter().zip(self.arclengths(lane)).map(start));
         }
-        contacts.free_stiffness.clone_from(&system.point_stiffness);
-        contacts.free_target.clone_from(&it.point_target);
-        contacts.depth = [DepthAtPoints::NONE; MAX_LANES];
     }
 
     /// Asks of `running` lanes which of their points press at the accepted iterate, and sets their springs. Returns the lanes whose
@@ -152,7 +97,7 @@ impl Touching<'_> {
             changed |= u32::from(uncovered > SETTLED) << lane;
         }
         if has_set {
-            self.add_friction(it);
+            it.contacts.add_friction(&mut it.system, &it.point_base, &mut it.point_target);
         }
         changed
     }
@@ -171,12 +116,15 @@ impl Touching<'_> {
         let places = self.with_line(it, lane, |line| {
             line.ask(&Asks { surfaces, is_first, separation: self.options.separation });
         });
-        for p in 0..it.contacts.points.len() {
-            let place = lane * it.contacts.points.len() + p;
-            if it.contacts.points[p].was_near || it.contacts.known[place].surface.is_some() {
-                let known = it.contacts.known[place];
-                uncovered = uncovered.max(self.set_springs(it, &places, p, lane, &known, is_first));
-                *has_set = true;
+        let points = it.contacts.points.len();
+        for p in 0..points {
+            let known = it.contacts.known[lane * points + p];
+            for slot in 0..known.slots() {
+                let change = it.contacts.near.change(&known, slot);
+                if change.iter().any(Option::is_some) {
+                    uncovered = uncovered.max(self.set_spring(it, &places, Spring { lane, p, slot }, &change, is_first));
+                    *has_set = true;
+                }
             }
         }
         uncovered
@@ -188,10 +136,10 @@ impl Touching<'_> {
         let mut points = std::mem::take(&mut it.contacts.points);
         points.clear();
         points.extend((0..it.point_base.len()).map(|p| Point::new(places.now(it, p, lane))));
-        let PointContacts { known, starts, .. } = &mut it.contacts;
+        let PointContacts { known, near, starts, .. } = &mut it.contacts;
         let own = lane * points.len()..(lane + 1) * points.len();
         let length = self.members.model(lane).length();
-        work(&mut Line { points: &mut points, starts: &starts[own.clone()], known: &mut known[own], length });
+        work(&mut Line { points: &mut points, starts: &starts[own.clone()], known: &mut known[own], near, length });
         it.contacts.points = points;
         places
     }
@@ -208,40 +156,42 @@ impl Touching<'_> {
     }
 
     /// The gap of a point above where its spring rests, by its plane, m.
-    fn planar_gap<T: Lane>(&self, it: &Iterate<T>, places: &Places, p: usize, lane: usize, now: Vec3<f64>) -> f64 {
-        let normal = loaded::lane_of(&it.system.normals[p], lane, 1.0);
-        normal.dot(now - places.end) - it.contacts.offsets[p].lane(lane) * places.unit
+    fn planar_gap<T: Lane>(&self, it: &Iterate<T>, places: &Places, spring: Spring, now: Vec3<f64>) -> f64 {
+        let index = spring.index(it.point_base.len());
+        let normal = loaded::lane_of(&it.system.normals[index], spring.lane, 1.0);
+        normal.dot(now - places.end) - it.contacts.offsets[index].lane(spring.lane) * places.unit
     }
 
-    /// Sets the springs of a point, or takes them away, from what was known of it and what is now. Returns the distance over which its
-    /// inertia yields to the difference of their forces at the present iterate, m.
-    #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
-    fn set_springs<T: Lane>(
+    /// Sets the springs of a point and a body, or takes them away, from what was known of it and what is now. Returns the distance over
+    /// which its inertia yields to the difference of their forces at the present iterate, m.
+    fn set_spring<T: Lane>(
         &self,
         it: &mut Iterate<T>,
         places: &Places,
-        p: usize,
-        lane: usize,
-        next: &Known,
+        spring: Spring,
+        [was, next]: &[Option<Touch>; 2],
         is_first: bool,
     ) -> f64 {
-        let Point { now, was_near, pressed, .. } = it.contacts.points[p];
+        let Spring { lane, p, .. } = spring;
+        let now = it.contacts.points[p].now;
+        let index = spring.index(it.contacts.points.len());
+        it.contacts.make_room(&mut it.system, index);
         let start = it.contacts.starts[lane * it.contacts.points.len() + p].at;
         let unit = self.units[lane].force() / places.unit;
         let resists = self.resists(it.contacts.free_stiffness[p].lane(lane) * unit, p, lane);
         // Forces before, along the normal and along the surface.
-        let had_friction = it.contacts.friction[p].lane(lane) * unit;
-        let had = if was_near { (-self.planar_gap(it, places, p, lane, now)).max(0.0) } else { 0.0 };
-        let Some(surface) = &next.surface else {
+        let had_friction = it.contacts.friction[index].lane(lane) * unit;
+        let had = if was.is_some() { (-self.planar_gap(it, places, spring, now)).max(0.0) } else { 0.0 };
+        let Some(Touch { side: Side { surface, .. }, rest, held, presses }) = next else {
             for list in [&mut it.system.normal_stiffness, &mut it.contacts.planes, &mut it.contacts.friction] {
-                list[p].set_lane(lane, 0.0);
+                list[index].set_lane(lane, 0.0);
             }
             return had * STIFFNESS;
         };
         let (normal, stiffness) = (surface.normal, STIFFNESS * resists);
-        let depth = (next.rest - surface.gap).max(0.0);
+        let depth = (rest - surface.gap).max(0.0);
         // A point that has just come has no force yet that tells of friction, but what it had when the step began.
-        let bears = if pressed && !is_first { depth } else { next.held };
+        let bears = if was.is_some_and(|touch| touch.presses) && !is_first { depth } else { *held };
         let bears = bears.min(self.options.holding_depth);
         let slip = tangential((now - start) - surface.carried, normal);
         let distance = slip.norm_squared().sqrt();
@@ -253,18 +203,18 @@ impl Touching<'_> {
         } else {
             most / distance
         };
-        let rests_at = normal.dot(now - places.end) - (surface.gap - next.rest);
+        let rests_at = normal.dot(now - places.end) - (surface.gap - rest);
         let anchor = (start + surface.carried) - places.end;
         let anchor = anchor + normal.scale(rests_at - normal.dot(anchor));
         for axis in 0..3 {
-            it.system.normals[p].0[axis].set_lane(lane, normal.0[axis]);
-            it.contacts.anchors[p].0[axis].set_lane(lane, anchor.0[axis] / places.unit);
+            it.system.normals[index].0[axis].set_lane(lane, normal.0[axis]);
+            it.contacts.anchors[index].0[axis].set_lane(lane, anchor.0[axis] / places.unit);
         }
-        it.contacts.offsets[p].set_lane(lane, rests_at / places.unit);
-        it.contacts.planes[p].set_lane(lane, stiffness / unit);
-        it.contacts.friction[p].set_lane(lane, friction / unit);
-        let meets = if next.presses { stiffness } else { 0.0 };
-        it.system.normal_stiffness[p].set_lane(lane, (meets - friction) / unit);
+        it.contacts.offsets[index].set_lane(lane, rests_at / places.unit);
+        it.contacts.planes[index].set_lane(lane, stiffness / unit);
+        it.contacts.friction[index].set_lane(lane, friction / unit);
+        let meets = if *presses { stiffness } else { 0.0 };
+        it.system.normal_stiffness[index].set_lane(lane, (meets - friction) / unit);
         (depth - had).abs() * STIFFNESS + (had_friction - friction).abs() * distance / resists
     }
 
@@ -292,22 +242,12 @@ impl Touching<'_> {
         if length > 0.0 { chord.scale(1.0 / length) } else { Vec3::zero() }
     }
 
-    /// Puts the springs of friction together with those that the points have.
-    fn add_friction<T: Lane>(&self, it: &mut Iterate<T>) {
-        let Iterate { system, contacts, point_base, point_target, .. } = it;
-        for p in 0..point_target.len() {
-            let (free, friction) = (contacts.free_stiffness[p], contacts.friction[p]);
-            let stiffness = free + friction;
-            let held = (contacts.anchors[p] - point_base[p]) - contacts.free_target[p];
-            system.point_stiffness[p] = stiffness;
-            point_target[p] = contacts.free_target[p] + held.scale(friction / stiffness);
-        }
-    }
-
     /// Lanes with contacts.
     pub fn with_contacts<T: Lane>(&self, it: &Iterate<T>, running: u32) -> u32 {
         let of_lane = |lane: usize| &it.contacts.known[lane * it.point_base.len()..][..it.point_base.len()];
-        lanes(running).filter(|lane| of_lane(*lane).iter().any(|known| known.presses)).fold(0, |set, lane| set | 1 << lane)
+        lanes(running)
+            .filter(|lane| of_lane(*lane).iter().any(|known| it.contacts.near.touches(known).press()))
+            .fold(0, |set, lane| set | 1 << lane)
     }
 
     /// Measures the overlaps at the end of a step.
@@ -316,7 +256,7 @@ impl Touching<'_> {
             let (mut smallest, mut at_root) = (f64::INFINITY, f64::INFINITY);
             self.members.with_surfaces(lane, &mut |surfaces| {
                 self.with_line(it, lane, |line| smallest = line.measure(surfaces));
-                at_root = surfaces.nearest(0.0, self.roots[lane].origin.into()).map_or(f64::INFINITY, |surface| surface.gap);
+                at_root = surfaces.nearest(0.0, self.roots[lane].origin.into()).map_or(f64::INFINITY, |found| found.nearest.gap);
             });
             it.contacts.depth[lane] = DepthAtPoints { deepest: -smallest.min(at_root), root: -at_root };
         }
@@ -329,13 +269,17 @@ impl Touching<'_> {
             let (places, per_step) = (Places::of(self, lane), 1.0 / h);
             for (p, velocity) in velocities.iter_mut().enumerate() {
                 let place = lane * it.point_base.len() + p;
-                let known = &it.contacts.known[place];
-                let Some(surface) = known.surface.as_ref().filter(|_| known.presses) else { continue };
                 let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
-                let (moved, carried) = ((now - start).scale(per_step), surface.carried.scale(per_step));
-                let away = surface.normal.dot(moved - carried).max(0.0);
-                let moved = moved - surface.normal.scale(away);
-                loaded::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
+                let mut moved = (now - start).scale(per_step);
+                let mut presses = false;
+                for touch in it.contacts.near.touches(&it.contacts.known[place]).iter().filter(|touch| touch.presses) {
+                    let SurfaceAtPoint { normal, carried, .. } = touch.side.surface;
+                    moved -= normal.scale(normal.dot(moved - carried.scale(per_step)).max(0.0));
+                    presses = true;
+                }
+                if presses {
+                    loaded::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
+                }
             }
         }
     }
@@ -345,27 +289,24 @@ impl Touching<'_> {
         let places = Places::of(self, lane);
         for p in 0..it.point_base.len() {
             let place = lane * it.point_base.len() + p;
-            let Some(surface) = it.contacts.known[place].surface else { continue };
             let (Start { arclength, at: start }, now) = (it.contacts.starts[place], places.now(it, p, lane));
-            let overlap = -self.planar_gap(it, &places, p, lane, now);
-            if overlap <= 0.0 {
-                continue;
+            for (slot, touch) in it.contacts.near.touches(&it.contacts.known[place]).is.iter().enumerate() {
+                let Some(Touch { side: Side { surface, .. }, .. }) = *touch else { continue };
+                let spring = Spring { lane, p, slot };
+                let (index, overlap) = (spring.index(it.point_base.len()), -self.planar_gap(it, &places, spring, now));
+                if overlap <= 0.0 {
+                    continue;
+                }
+                let unit = self.units[lane].force() / places.unit;
+                let friction = it.contacts.friction[index].lane(lane) * unit;
+                let stiffness = it.contacts.planes[index].lane(lane) * unit;
+                let anchor = places.end + loaded::lane_of(&it.contacts.anchors[index], lane, places.unit);
+                let force = surface.normal.scale(stiffness * overlap) + tangential(anchor - now, surface.normal).scale(friction);
+                let slip = tangential((now - start) - surface.carried, surface.normal);
+                take(PointContact { arclength, position: now, surface, force, slip });
             }
-            let unit = self.units[lane].force() / places.unit;
-            let friction = it.contacts.friction[p].lane(lane) * unit;
-            let stiffness = it.contacts.planes[p].lane(lane) * unit;
-            let anchor = places.end + loaded::lane_of(&it.contacts.anchors[p], lane, places.unit);
-            let force = surface.normal.scale(stiffness * overlap) + tangential(anchor - now, surface.normal).scale(friction);
-            let slip = tangential((now - start) - surface.carried, surface.normal);
-            take(PointContact { arclength, position: now, surface, force, slip });
         }
     }
-}
-
-/// Gives a list this many items, all alike.
-fn refill<V: Clone>(list: &mut Vec<V>, count: usize, item: V) {
-    list.clear();
-    list.resize(count, item);
 }
 
 /// The part of a vector across a unit normal.

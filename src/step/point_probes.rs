@@ -3,11 +3,12 @@
 //!
 //! A place between two points has no force of its own: if it is deeper in a body than they are, both bear it.
 
-use super::point_surfaces::{SurfaceAtPoint, Surfaces};
+use super::point_surfaces::{SURFACES_AT_POINT, Surfaces};
+use super::point_touches::{Side, Sides, Touch, Touches};
 use crate::math::vector::Vec3;
 
 /// Surfaces this near may touch a point that lay on them when the step began, m.
-const NEAR: f64 = 1e-3;
+pub(super) const NEAR: f64 = 1e-3;
 
 /// The most that a gap changes over a distance, see `Shape::distance_slope`.
 const SLOPE: f64 = 1.25;
@@ -25,12 +26,12 @@ struct Place {
     at: Vec3<f64>,
     /// Its gap there, or less, m.
     gap: f64,
-    /// Its depth when the step began, m; `None` until it is asked for.
-    start_depth: Option<f64>,
+    /// Its place in [`Near::places`], once a surface has been near.
+    near: Option<u32>,
 }
 
 impl Place {
-    const NOTHING: Self = Self { at: Vec3([0.0; 3]), gap: f64::NEG_INFINITY, start_depth: None };
+    const NOTHING: Self = Self { at: Vec3([0.0; 3]), gap: f64::NEG_INFINITY, near: None };
 
     /// No gap of it is smaller than this now.
     fn least(&self, now: Vec3<f64>) -> f64 {
@@ -48,31 +49,60 @@ impl Place {
         }
     }
 
-    /// Asks which surface is nearest to it; gives it if it is near, and the overlap that is permitted there.
+    /// Asks which surfaces are nearest to it. Calls `take` with those that are near, and its depth in each when the step began; returns
+    /// the smallest gap, overlaps that are permitted counted.
     fn ask(
         &mut self,
+        near: &mut Vec<NearPlace>,
         asks: &Asks,
         arclength: f64,
         now: Vec3<f64>,
         start: impl Fn() -> Vec3<f64>,
-    ) -> (Option<SurfaceAtPoint>, f64) {
+        mut take: impl FnMut(Side, f64),
+    ) -> f64 {
         self.at = now;
-        match asks.surfaces.nearest(arclength, now) {
+        let found = match asks.surfaces.nearest(arclength, now) {
+            Ok(found) => found,
             Err(at_least) => {
                 self.gap = at_least;
-                (None, 0.0)
+                return at_least;
             }
-            Ok(surface) => {
-                self.gap = surface.gap;
-                if surface.gap >= NEAR {
-                    return (None, surface.permitted);
-                }
-                if self.start_depth.is_none() {
-                    self.start_depth = Some(asks.surfaces.depth_at_start(arclength, surface.body, start()).max(0.0));
-                }
-                (Some(surface), surface.permitted)
+        };
+        self.gap = found.nearest.gap;
+        if self.gap < NEAR {
+            let near = known_in(near, &mut self.near, NearPlace::NEW);
+            let nearest = Side::new(&found.nearest, now);
+            let next = found.next.filter(|next| next.gap < NEAR).map(|next| Side::new(&next, now));
+            let [leaning, other] = near.sides.keep(nearest, now);
+            for side in [Some(nearest), next, leaning, other].into_iter().flatten() {
+                take(side, near.depth_at_start(asks, arclength, side.surface.body, &start));
             }
         }
+        self.gap - found.nearest.permitted
+    }
+}
+
+/// What is known of a place that a surface has been near to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NearPlace {
+    /// Its depth in bodies when the step began, m, as far as it has been asked for.
+    start_depth: [Option<(u32, f64)>; SURFACES_AT_POINT],
+    /// The sides of a crease that it is in.
+    sides: Sides,
+}
+
+impl NearPlace {
+    const NEW: Self = Self { start_depth: [None; SURFACES_AT_POINT], sides: Sides::NONE };
+
+    /// How deep it was in a body when the step began, m; zero for outside.
+    fn depth_at_start(&mut self, asks: &Asks, arclength: f64, body: u32, start: impl Fn() -> Vec3<f64>) -> f64 {
+        if let Some((_, depth)) = self.start_depth.iter().flatten().find(|(of, _)| *of == body) {
+            return *depth;
+        }
+        let depth = asks.surfaces.depth_at_start(arclength, body, start()).max(0.0);
+        self.start_depth.rotate_right(1);
+        self.start_depth[0] = Some((body, depth));
+        depth
     }
 }
 
@@ -82,29 +112,56 @@ pub(super) struct Known {
     own: Place,
     /// The place between it and the next point; for the last point the tip.
     beside: Place,
-    /// The surface that is near, with the smallest gap about the point.
-    pub surface: Option<SurfaceAtPoint>,
-    /// The gap that its spring leaves, m: zero, or below where the surfaces overlapped when the step began.
-    pub rest: f64,
-    /// Its depth when the step began, m, as far as surfaces that overlap then come apart.
-    pub held: f64,
-    /// Whether it presses.
-    pub presses: bool,
+    /// Its place in [`Near::touches`], once a surface has been near.
+    touches: Option<u32>,
 }
 
 impl Known {
-    pub const NOTHING: Self =
-        Self { own: Place::NOTHING, beside: Place::NOTHING, surface: None, rest: 0.0, held: 0.0, presses: false };
+    pub const NOTHING: Self = Self { own: Place::NOTHING, beside: Place::NOTHING, touches: None };
 
-    /// Takes over a surface at one of its places, if it is the nearest so far.
-    fn take(&mut self, surface: SurfaceAtPoint, start_depth: f64, asks: &Asks) {
-        let rest = -(start_depth - asks.separation).max(0.0);
-        if self.surface.is_some_and(|nearest| nearest.gap - self.rest <= surface.gap - rest) {
-            return;
-        }
-        (self.surface, self.rest, self.held) = (Some(surface), rest, start_depth.min(asks.separation));
-        self.presses = surface.gap < rest || (asks.is_first && start_depth > 0.0);
+    /// How many surfaces may be near it.
+    pub fn slots(&self) -> usize {
+        if self.touches.is_some() { SURFACES_AT_POINT } else { 0 }
     }
+}
+
+/// What is known of the points and places that surfaces have been near to in this step: few of all.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Near {
+    places: Vec<NearPlace>,
+    touches: Vec<Touches>,
+}
+
+impl Near {
+    /// Forgets everything.
+    pub fn clear(&mut self) {
+        self.places.clear();
+        self.touches.clear();
+    }
+
+    /// One of the surfaces near a point, as it was in the iteration before and as it is.
+    pub fn change(&self, of: &Known, slot: usize) -> [Option<Touch>; 2] {
+        let touches = self.touches(of);
+        [touches.was[slot], touches.is[slot]]
+    }
+
+    /// The surfaces near a point.
+    pub fn touches(&self, of: &Known) -> &Touches {
+        of.touches.map_or(&Touches::NONE, |at| &self.touches[at as usize])
+    }
+
+    fn touches_mut(&mut self, of: &Known) -> Option<&mut Touches> {
+        of.touches.map(|at| &mut self.touches[at as usize])
+    }
+}
+
+/// An item of a list, which is made now if it has no place there yet.
+fn known_in<'a, V>(list: &'a mut Vec<V>, at: &mut Option<u32>, new: V) -> &'a mut V {
+    let at = *at.get_or_insert_with(|| {
+        list.push(new);
+        list.len() as u32 - 1
+    });
+    &mut list[at as usize]
 }
 
 /// How a strand's surfaces are asked for.
@@ -114,6 +171,15 @@ pub(super) struct Asks<'a> {
     pub is_first: bool,
     /// How far surfaces that overlap when the step begins come apart in it, m.
     pub separation: f64,
+}
+
+impl Asks<'_> {
+    /// A surface near a place, in which it was so deep when the step began.
+    fn touch(&self, side: Side, start_depth: f64) -> Touch {
+        let rest = -(start_depth - self.separation).max(0.0);
+        let presses = side.surface.gap < rest || (self.is_first && start_depth > 0.0);
+        Touch { side, rest, held: start_depth.min(self.separation), presses }
+    }
 }
 
 /// What stays as it is during a step.
@@ -130,10 +196,8 @@ pub(super) struct Start {
 pub(super) struct Point {
     /// At the present iterate, m, world.
     pub now: Vec3<f64>,
-    /// Whether a surface was near it before, and whether it pressed.
-    pub was_near: bool,
-    /// See `was_near`.
-    pub pressed: bool,
+    /// Whether a surface pressed it in the iteration before.
+    pressed: bool,
     /// No gap of it is smaller than this, overlaps that are permitted counted.
     least: f64,
 }
@@ -141,7 +205,7 @@ pub(super) struct Point {
 impl Point {
     /// A point of which nothing was known.
     pub fn new(now: Vec3<f64>) -> Self {
-        Self { now, was_near: false, pressed: false, least: f64::NEG_INFINITY }
+        Self { now, pressed: false, least: f64::NEG_INFINITY }
     }
 }
 
@@ -151,6 +215,8 @@ pub(super) struct Line<'a> {
     pub starts: &'a [Start],
     /// What is known of them.
     pub known: &'a mut [Known],
+    /// What is known of those that surfaces have been near to.
+    pub near: &'a mut Near,
     /// Arclength of the tip, m.
     pub length: f64,
 }
@@ -160,8 +226,10 @@ impl Line<'_> {
     pub fn ask(&mut self, asks: &Asks) {
         let margin = if asks.is_first { NEAR } else { 0.0 };
         for (point, known) in self.points.iter_mut().zip(&mut *self.known) {
-            (point.was_near, point.pressed) = (known.surface.is_some(), known.presses);
-            (known.surface, known.presses) = (None, false);
+            if let Some(touches) = self.near.touches_mut(known) {
+                touches.was = std::mem::replace(&mut touches.is, Touches::NONE.is);
+                point.pressed = touches.pressed();
+            }
         }
         self.ask_at_points(asks, margin);
         if self.points.len() >= 2 {
@@ -186,12 +254,18 @@ impl Line<'_> {
                     continue;
                 }
             }
-            let (surface, permitted) = known.own.ask(asks, start.arclength, now, || start.at);
-            point.least = known.own.gap - permitted;
+            let (Known { own, touches: at, .. }, Near { places, touches }) = (known, &mut *self.near);
+            point.least = own.ask(
+                places,
+                asks,
+                start.arclength,
+                now,
+                || start.at,
+                |side, start_depth| {
+                    known_in(touches, at, Touches::NONE).take(asks.touch(side, start_depth), asks.is_first);
+                },
+            );
             last = Some((now, point.least));
-            if let Some(surface) = surface {
-                known.take(surface, known.own.start_depth.unwrap_or(0.0), asks);
-            }
         }
     }
 
@@ -208,22 +282,21 @@ impl Line<'_> {
             if !pressed && place.least(now) > margin {
                 continue;
             }
-            let (surface, _) = place.ask(asks, arclength, now, || self.place(p, arclength, |k| self.starts[k].at));
-            self.known[p].beside = place;
-            if let Some(surface) = surface.filter(|surface| !self.meets_end_on(p, surface)) {
-                for known in self.known[p..].iter_mut().take(2) {
-                    known.take(surface, place.start_depth.unwrap_or(0.0), asks);
+            let Self { points, known, starts, near: Near { places, touches }, .. } = self;
+            let start = || interpolate(starts, p, arclength, |k| starts[k].at);
+            let along = points[p..].get(1).map_or(Vec3::zero(), |next| next.now - points[p].now);
+            place.ask(places, asks, arclength, now, start, |side, start_depth| {
+                // A surface that faces along the strand is that of something thin which the strand goes through: no force along the strand
+                // brings it out.
+                if side.surface.normal.dot(along).abs() > END_ON * along.norm_squared().sqrt() {
+                    return;
                 }
-            }
+                for known in known[p..].iter_mut().take(2) {
+                    known_in(touches, &mut known.touches, Touches::NONE).take(asks.touch(side, start_depth), asks.is_first);
+                }
+            });
+            self.known[p].beside = place;
         }
-    }
-
-    /// Whether a surface between a point and the next faces along the strand, which then goes through something thin: no force along the
-    /// strand brings it out.
-    fn meets_end_on(&self, p: usize, surface: &SurfaceAtPoint) -> bool {
-        let [here, next] = self.pair(p) else { return false };
-        let along = next.now - here.now;
-        surface.normal.dot(along).abs() > END_ON * along.norm_squared().sqrt()
     }
 
     /// A point and the next, or the last alone.
@@ -236,35 +309,25 @@ impl Line<'_> {
         self.starts.get(p + 1).map_or(self.length, |next| 0.5 * (self.starts[p].arclength + next.arclength))
     }
 
-    /// A place at an arclength about point `p`: by the polynomial through the points around it.
+    /// A place at an arclength about point `p`.
     fn place(&self, p: usize, arclength: f64, point: impl Fn(usize) -> Vec3<f64>) -> Vec3<f64> {
-        let count = self.starts.len().min(STENCIL);
-        let first = p.saturating_sub(1).min(self.starts.len() - count);
-        let mut place = Vec3::zero();
-        for i in first..first + count {
-            let (mut above, mut below) = (1.0, 1.0);
-            for j in (first..first + count).filter(|j| *j != i) {
-                above *= arclength - self.starts[j].arclength;
-                below *= self.starts[i].arclength - self.starts[j].arclength;
-            }
-            place += point(i).scale(above / below);
-        }
-        place
+        interpolate(self.starts, p, arclength, point)
     }
 
-    /// Two points next to each other that surfaces push against each other lie on the two sides of something thin, which the strand pierces. No
-    /// force along the strand brings it out.
+    /// Two points next to each other that a body pushes against each other lie on the two sides of something thin, which the strand
+    /// pierces. No force along the strand brings it out.
     fn leave_pierced(&mut self) {
-        let normal = |of: &Known| of.surface.filter(|_| of.presses).map(|surface| surface.normal);
-        let opposed = |here: &Known, next: &Known| Some(normal(here)?.dot(normal(next)?) < 0.0);
-        let mut was = false;
+        let mut was = [false; SURFACES_AT_POINT];
         for p in 0..self.known.len() {
-            let is = self.known.get(p + 1).and_then(|next| opposed(&self.known[p], next)).unwrap_or(false);
-            if was || is {
-                let known = &mut self.known[p];
-                (known.presses, known.surface) = (false, None);
+            let next = self.known.get(p + 1).filter(|next| next.touches.is_some() && self.known[p].touches.is_some());
+            let pierce = |next| self.near.touches(&self.known[p]).pierce(self.near.touches(next));
+            let (pierced, next) = next.map_or_else(Default::default, pierce);
+            if let Some(here) = self.near.touches_mut(&self.known[p]) {
+                for slot in (0..SURFACES_AT_POINT).filter(|slot| was[*slot] || pierced[*slot]) {
+                    here.is[slot] = None;
+                }
             }
-            was = is;
+            was = next;
         }
     }
 
@@ -273,15 +336,17 @@ impl Line<'_> {
     pub fn measure(&mut self, surfaces: &dyn Surfaces) -> f64 {
         let mut smallest = f64::INFINITY;
         for p in 0..self.points.len() {
-            if let Some(surface) = &mut self.known[p].surface {
-                surface.gap = gap(surfaces, self.starts[p].arclength, self.points[p].now);
-                smallest = smallest.min(surface.gap);
+            if let Some(touches) = self.near.touches_mut(&self.known[p]).filter(|touches| !touches.is_empty()) {
+                let now = self.points[p].now;
+                let found = surfaces.nearest(self.starts[p].arclength, now);
+                smallest = smallest.min(found.as_ref().map_or_else(|at_least| *at_least, |found| found.nearest.gap));
+                touches.measure(found.ok().as_ref(), now);
             }
         }
         // Of the others only what is deeper counts.
         for p in 0..self.points.len() {
             let known = &self.known[p];
-            if known.surface.is_none() {
+            if self.near.touches(known).is_empty() {
                 let (arclength, now) = (self.starts[p].arclength, self.points[p].now);
                 smallest = smallest.min(known.own.gap_below(smallest.min(0.0), surfaces, arclength, now));
             }
@@ -296,9 +361,25 @@ impl Line<'_> {
     }
 }
 
+/// A place at an arclength about point `p`: by the polynomial through the points around it.
+fn interpolate(starts: &[Start], p: usize, arclength: f64, point: impl Fn(usize) -> Vec3<f64>) -> Vec3<f64> {
+    let count = starts.len().min(STENCIL);
+    let first = p.saturating_sub(1).min(starts.len() - count);
+    let mut place = Vec3::zero();
+    for i in first..first + count {
+        let (mut above, mut below) = (1.0, 1.0);
+        for j in (first..first + count).filter(|j| *j != i) {
+            above *= arclength - starts[j].arclength;
+            below *= starts[i].arclength - starts[j].arclength;
+        }
+        place += point(i).scale(above / below);
+    }
+    place
+}
+
 /// How far the nearest surface is from a point, or how far it is at least, m.
 fn gap(surfaces: &dyn Surfaces, arclength: f64, now: Vec3<f64>) -> f64 {
-    surfaces.nearest(arclength, now).map_or_else(|at_least| at_least, |surface| surface.gap)
+    surfaces.nearest(arclength, now).map_or_else(|at_least| at_least, |found| found.nearest.gap)
 }
 
 fn distance(a: Vec3<f64>, b: Vec3<f64>) -> f64 {

@@ -25,6 +25,8 @@ pub struct SurfaceAtPoint {
     pub gap: f64,
     /// The overlap that is permitted there, m.
     pub permitted: f64,
+    /// How far the strand's axis is from the body's surface where they touch, m.
+    pub margin: f64,
     /// Unit, from the body to the strand.
     pub normal: Vec3<f64>,
     /// Displacement of the surface during the step, m.
@@ -35,11 +37,30 @@ pub struct SurfaceAtPoint {
     pub against: f64,
 }
 
+/// How many surfaces may hold a point at a time.
+pub const SURFACES_AT_POINT: usize = 3;
+
+/// The surfaces about a point, each of another body, from the nearest on.
+#[derive(Debug, Clone, Copy)]
+pub struct NearestSurfaces {
+    /// The nearest.
+    pub nearest: SurfaceAtPoint,
+    /// The next, if it may touch the point, too.
+    pub next: Option<SurfaceAtPoint>,
+}
+
+impl NearestSurfaces {
+    /// Both.
+    pub fn iter(&self) -> impl Iterator<Item = &SurfaceAtPoint> {
+        std::iter::once(&self.nearest).chain(&self.next)
+    }
+}
+
 /// The surfaces that a strand's points may touch, at the end of a step.
 pub trait Surfaces {
-    /// The nearest surface at a point `arclength` from the root whose place is `now`, or, where none is near, a distance that
+    /// The nearest surfaces at a point `arclength` from the root whose place is `now`, or, where none is near, a distance that
     /// they all have at least, m.
-    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<SurfaceAtPoint, f64>;
+    fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<NearestSurfaces, f64>;
     /// How deep the point, at `start` then, was in the body when the step began, m; zero or less for outside.
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
 }

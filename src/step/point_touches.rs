@@ -1,0 +1,265 @@
+//! The surfaces near a quadrature point (`point_contacts.rs`): of two bodies, or the two sides of a crease in one.
+//!
+//! A body tells only its surface nearest to a point. In a crease that is now one side and now the other, and a point that knew one alone would
+//! go to and fro between them. So a place keeps the side that it had in the iteration before, if both sides hold it together.
+
+use super::point_probes::NEAR;
+use super::point_surfaces::{NearestSurfaces, SURFACES_AT_POINT, SurfaceAtPoint};
+use crate::math::vector::Vec3;
+use std::cmp::Ordering;
+
+/// Two normals of a body whose angle has a larger cosine are of the same side.
+const SAME_SIDE: f64 = 0.995;
+
+/// A body that is concave with a larger radius than this holds a point by its nearest surface alone, m.
+const SHARP: f64 = 3e-3;
+
+/// Distances below this are of rounding, m.
+const ROUNDING: f64 = 1e-6;
+
+/// A side that was found farther from a place is not kept, m: its tangent plane may be far from the surface there.
+const KEPT: f64 = 5e-3;
+
+/// A surface near a place of a strand.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Side {
+    /// The surface, with its gap at the place.
+    pub surface: SurfaceAtPoint,
+    /// The point of the body's surface, m, world.
+    from: Vec3<f64>,
+    /// Whether it was found from inside the body.
+    inside: bool,
+}
+
+impl Side {
+    /// A surface that was found at a place, m, world.
+    pub fn new(surface: &SurfaceAtPoint, place: Vec3<f64>) -> Self {
+        let distance = surface.gap - surface.permitted + surface.margin;
+        Self { surface: *surface, from: place - surface.normal.scale(distance), inside: distance < 0.0 }
+    }
+
+    /// Whether the other is of the same side of the same body: its normal is much the same, or the body is convex between them.
+    fn is_same(&self, other: &Self) -> bool {
+        self.surface.body == other.surface.body && !self.makes_crease(other)
+    }
+
+    /// Whether two surfaces of a body hold a strand between them: their normals come together within a short way. Where both are at the same
+    /// edge, that is a crease if they were found from inside, since from there the nearest of a convex body is a face.
+    fn makes_crease(&self, other: &Self) -> bool {
+        let (one, two) = (self.surface.normal, other.surface.normal);
+        let (turn, across) = (one - two, other.from - self.from);
+        let together = turn.dot(across);
+        let is_edge_inside = together.abs() <= ROUNDING && self.inside && other.inside;
+        // (Along a crease its sides may be anywhere.)
+        let along = one.cross(two);
+        let aside = across.norm_squared() - along.dot(across).powi(2) / along.norm_squared();
+        let is_sharp = aside < SHARP * SHARP * turn.norm_squared();
+        one.dot(two) < SAME_SIDE && is_sharp && (together > ROUNDING || is_edge_inside)
+    }
+
+    /// The gap of its tangent plane at a place, m.
+    fn gap(&self, now: Vec3<f64>) -> f64 {
+        self.surface.normal.dot(now - self.from) + self.surface.permitted - self.surface.margin
+    }
+
+    /// Its tangent plane, for a place that is now at `now`, if that still tells of the surface.
+    fn carried(&self, now: Vec3<f64>) -> Option<Self> {
+        let mut side = *self;
+        side.surface.gap = self.gap(now);
+        (side.surface.gap < NEAR && (now - self.from).norm_squared() < KEPT * KEPT).then_some(side)
+    }
+}
+
+/// The sides of a body's crease about a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sides([Option<Side>; SURFACES_AT_POINT]);
+
+impl Sides {
+    pub const NONE: Self = Self([None; SURFACES_AT_POINT]);
+
+    /// Sets what was found nearest to the place at `now`. Of the other sides that were known it keeps, and returns, the one that presses and leans
+    /// most against the nearest, which ends sliding along that, and the nearest of the rest.
+    pub fn keep(&mut self, nearest: Side, now: Vec3<f64>) -> [Option<Side>; 2] {
+        if self.0[0].is_none() {
+            self.0[0] = Some(nearest);
+            return [None; 2];
+        }
+        let is_other = |side: &Side| side.surface.body == nearest.surface.body && side.makes_crease(&nearest);
+        let mut others = self.0.map(|side| side?.carried(now).filter(is_other));
+        let leans = |side: &Side| (side.surface.gap < 0.0).then(|| side.surface.normal.dot(nearest.surface.normal));
+        let leaning = take_least(&mut others, leans);
+        let next = take_least(&mut others, |side| Some(side.surface.gap));
+        self.0 = [Some(nearest), leaning, next];
+        [leaning, next]
+    }
+}
+
+/// Takes out the side with the least rank, of those that have one.
+fn take_least(sides: &mut [Option<Side>], rank: impl Fn(&Side) -> Option<f64>) -> Option<Side> {
+    let rank = |side: &Option<Side>| side.as_ref().and_then(&rank);
+    let ranked = sides.iter_mut().filter(|side| rank(side).is_some());
+    ranked.min_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal)).and_then(Option::take)
+}
+
+/// A surface near a point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Touch {
+    /// The surface, with the smallest gap about the point.
+    pub side: Side,
+    /// The gap that its spring leaves, m: zero, or below where the surfaces overlapped when the step began.
+    pub rest: f64,
+    /// The point's depth when the step began, m, as far as surfaces that overlap then come apart.
+    pub held: f64,
+    /// Whether it presses.
+    pub presses: bool,
+}
+
+impl Touch {
+    /// The gap above where its spring rests, m.
+    fn above(&self) -> f64 {
+        self.side.surface.gap - self.rest
+    }
+}
+
+/// The surfaces near a point. Each keeps its place among them from one iteration to the next.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Touches {
+    /// Those that are near now.
+    pub is: [Option<Touch>; SURFACES_AT_POINT],
+    /// Those that were in the iteration before.
+    pub was: [Option<Touch>; SURFACES_AT_POINT],
+}
+
+impl Touches {
+    pub const NONE: Self = Self { is: [None; SURFACES_AT_POINT], was: [None; SURFACES_AT_POINT] };
+
+    pub fn iter(&self) -> impl Iterator<Item = &Touch> {
+        self.is.iter().flatten()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.iter().next().is_none()
+    }
+
+    /// Whether one presses.
+    pub fn press(&self) -> bool {
+        self.iter().any(|touch| touch.presses)
+    }
+
+    /// Whether one pressed in the iteration before.
+    pub fn pressed(&self) -> bool {
+        self.was.iter().flatten().any(|touch| touch.presses)
+    }
+
+    /// Takes over a surface at one of the point's places, if none of the same side is nearer so far; or, before anything else is known of the
+    /// body, none of the same body.
+    pub fn take(&mut self, touch: Touch, is_first: bool) {
+        let body = touch.side.surface.body;
+        let known = |other: &Option<Touch>| other.is_some_and(|other| other.side.surface.body == body);
+        let slot = self.is.iter().position(known).filter(|_| is_first).unwrap_or_else(|| self.slot(&touch));
+        if self.is[slot].is_none_or(|nearest| touch.above() < nearest.above()) {
+            self.is[slot] = Some(touch);
+        }
+    }
+
+    /// Where a surface goes: where the same side is or was; else where none is, was, or is nearest.
+    fn slot(&self, touch: &Touch) -> usize {
+        let slots = 0..SURFACES_AT_POINT;
+        let same = |other: &Option<Touch>| other.is_some_and(|other| other.side.is_same(&touch.side));
+        let above = |slot: &usize| self.is[*slot].map_or(f64::INFINITY, |touch| touch.above());
+        (slots.clone().find(|slot| same(&self.is[*slot])))
+            .or_else(|| slots.clone().find(|slot| self.is[*slot].is_none() && same(&self.was[*slot])))
+            .or_else(|| slots.clone().find(|slot| self.is[*slot].is_none() && self.was[*slot].is_none()))
+            .or_else(|| slots.clone().find(|slot| self.is[*slot].is_none()))
+            .or_else(|| slots.max_by(|a, b| above(a).total_cmp(&above(b))))
+            .unwrap_or(0)
+    }
+
+    /// Which of them and of the next point's a body pushes against each other, not into a crease.
+    pub fn pierce(&self, next: &Self) -> ([bool; SURFACES_AT_POINT], [bool; SURFACES_AT_POINT]) {
+        let mut pierced = ([false; SURFACES_AT_POINT], [false; SURFACES_AT_POINT]);
+        for (here, touch) in self.is.iter().enumerate() {
+            for (there, other) in next.is.iter().enumerate() {
+                let (Some(touch), Some(other)) = (touch, other) else { continue };
+                let opposed = touch.side.surface.normal.dot(other.side.surface.normal) < 0.0;
+                if touch.presses && other.presses && opposed && touch.side.is_same(&other.side) {
+                    (pierced.0[here], pierced.1[there]) = (true, true);
+                }
+            }
+        }
+        pierced
+    }
+
+    /// Measures their gaps for the point at `now`, where these surfaces were found.
+    pub fn measure(&mut self, found: Option<&NearestSurfaces>, now: Vec3<f64>) {
+        for touch in self.is.iter_mut().flatten() {
+            let found = found.and_then(|found| found.iter().find(|found| Side::new(found, now).is_same(&touch.side)));
+            touch.side.surface.gap = found.map_or_else(|| touch.side.gap(now), |found| found.gap);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MARGIN: f64 = 5e-5;
+
+    /// The surface of a body that is found at a place `distance` from it, with this normal.
+    fn side(normal: [f64; 3], place: [f64; 3], distance: f64) -> Side {
+        let length = Vec3(normal).norm_squared().sqrt();
+        let surface = SurfaceAtPoint {
+            body: 0,
+            feature: 0,
+            gap: distance - MARGIN,
+            permitted: 0.0,
+            margin: MARGIN,
+            normal: Vec3(normal).scale(1.0 / length),
+            carried: Vec3::zero(),
+            along: 0.0,
+            against: 0.0,
+        };
+        Side::new(&surface, Vec3(place))
+    }
+
+    #[test]
+    fn sides_hold_a_strand_together_in_creases_and_not_at_edges() {
+        let (left, right) = ([0.0, 1.0, 1.0], [0.0, -1.0, 1.0]);
+        let d = MARGIN / 2.0_f64.sqrt();
+        // A groove along x: from above, from above and inside, and from inside, where its bottom is nearest.
+        let above = [side(left, [0.0, -1e-3, 1e-3 + 2.0 * d], MARGIN), side(right, [0.0, 0.0, 2.0 * d], MARGIN)];
+        let below = |y: f64| side([0.0, -y, 1e-4], [0.0, y, -1e-4], -y.hypot(1e-4));
+        for (one, two) in [(above[0], above[1]), (above[0], below(5e-5)), (below(-5e-5), below(5e-5))] {
+            assert!(one.makes_crease(&two) && two.makes_crease(&one), "{one:?} {two:?}");
+        }
+        // A ridge along x: from its sides, from above, where its edge is nearest, and from inside.
+        let sides = |depth: f64| {
+            [
+                side(right, [0.0, -1e-3, -1e-3 - depth], -depth / 2.0_f64.sqrt()),
+                side(left, [0.0, 1e-3, -1e-3 - depth], -depth / 2.0_f64.sqrt()),
+            ]
+        };
+        let over = |y: f64| side([0.0, y, 1e-4], [0.0, y, 1e-4], y.hypot(1e-4));
+        for [one, two] in [sides(-1e-4), sides(1e-4), [over(-5e-5), over(5e-5)], [sides(1e-4)[0], over(5e-5)]] {
+            assert!(!one.makes_crease(&two) && !two.makes_crease(&one), "{one:?} {two:?}");
+        }
+    }
+
+    #[test]
+    fn a_place_keeps_the_side_that_leans_against_the_nearest() {
+        let mut sides = Sides::NONE;
+        let now = |y: f64| Vec3([0.0, y, 1e-5]);
+        let of = |y: f64| side([0.0, -y.signum(), 1.0], now(y).0, (1e-5 - y.abs()) / 2.0_f64.sqrt());
+        assert!(sides.keep(of(-1e-4), now(-1e-4)).iter().all(Option::is_none));
+        // Above the left side's plane, and below.
+        for (y, leans) in [(1e-4, false), (1e-5, true)] {
+            let [leaning, next] = sides.keep(of(y), now(y));
+            let gap = (if leans { leaning } else { next }).unwrap().surface.gap;
+            assert!((gap - ((1e-5 + y) / 2.0_f64.sqrt() - MARGIN)).abs() < 1e-9, "{gap:e}");
+            assert_eq!([leaning, next].iter().flatten().count(), 1);
+        }
+        // Far away nothing is known of it any more.
+        let far = Vec3([0.1, 1e-4, 1e-5]);
+        assert!(sides.keep(side([0.0, -1.0, 1.0], far.0, -1e-4), far).iter().all(Option::is_none));
+    }
+}
