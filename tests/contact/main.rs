@@ -11,6 +11,7 @@ mod distance_grids;
 mod drawn_grooms_at_rest;
 mod friction_laws;
 mod gentle_contact;
+mod grooves;
 mod hair_on_hair;
 mod hair_pair_detection;
 mod independent_cases;
