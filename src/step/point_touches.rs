@@ -1,7 +1,8 @@
 //! The surfaces near a quadrature point (`point_contacts.rs`): of two bodies, or the two sides of a crease in one.
 //!
-//! A body tells only its surface nearest to a point. In a crease that is now one side and now the other, and a point that knew one alone would
-//! go to and fro between them. So a place keeps the side that it had in the iteration before, if both sides hold it together.
+//! A body tells only its surface nearest to a point. In a crease that is now one side and now the other, and a point that knew one alone
+//! would go to and fro between them. So a place keeps the sides that it knew in the iteration before, if they hold it together with the
+//! nearest.
 
 use super::point_probes::NEAR;
 use super::point_surfaces::{NearestSurfaces, SURFACES_AT_POINT, SurfaceAtPoint};
@@ -50,9 +51,9 @@ impl Side {
         let (turn, across) = (one - two, other.from - self.from);
         let together = turn.dot(across);
         let is_edge_inside = together.abs() <= ROUNDING && self.inside && other.inside;
-        // (Along a crease its sides may be anywhere.)
+        // (Along a crease its sides may be anywhere; walls that face each other have no such direction.)
         let along = one.cross(two);
-        let aside = across.norm_squared() - along.dot(across).powi(2) / along.norm_squared();
+        let aside = across.norm_squared() - along.dot(across).powi(2) / along.norm_squared().max(f64::MIN_POSITIVE);
         let is_sharp = aside < SHARP * SHARP * turn.norm_squared();
         one.dot(two) < SAME_SIDE && is_sharp && (together > ROUNDING || is_edge_inside)
     }
@@ -77,8 +78,8 @@ pub(super) struct Sides([Option<Side>; SURFACES_AT_POINT]);
 impl Sides {
     pub const NONE: Self = Self([None; SURFACES_AT_POINT]);
 
-    /// Sets what was found nearest to the place at `now`. Of the other sides that were known it keeps, and returns, the one that presses and leans
-    /// most against the nearest, which ends sliding along that, and the nearest of the rest.
+    /// Sets what was found nearest to the place at `now`. Of the other sides that were known it keeps, and returns, the one that presses
+    /// and leans most against the nearest, which ends sliding along that, and the nearest of the rest.
     pub fn keep(&mut self, nearest: Side, now: Vec3<f64>) -> [Option<Side>; 2] {
         if self.0[0].is_none() {
             self.0[0] = Some(nearest);
@@ -232,6 +233,10 @@ mod tests {
         for (one, two) in [(above[0], above[1]), (above[0], below(5e-5)), (below(-5e-5), below(5e-5))] {
             assert!(one.makes_crease(&two) && two.makes_crease(&one), "{one:?} {two:?}");
         }
+        // A slit between walls that face each other, and a plate.
+        let wall = |y: f64, normal: f64| side([0.0, normal, 0.0], [0.0, y + normal * MARGIN, 0.0], MARGIN);
+        assert!(wall(-1e-4, 1.0).makes_crease(&wall(1e-4, -1.0)));
+        assert!(!wall(-1e-4, -1.0).makes_crease(&wall(1e-4, 1.0)));
         // A ridge along x: from its sides, from above, where its edge is nearest, and from inside.
         let sides = |depth: f64| {
             [
