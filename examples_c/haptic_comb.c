@@ -5,7 +5,8 @@
    The teeth are bodies that hair slides along; with --rings they hold the hair that they run into until it is combed. GROOM is .hair, .tfx or .obj, y up; BUST the head that it grows on. The device's thread runs at 1 kHz, the simulation at 120 Hz beside
    it; neither waits for the other. Hand and device are simulated here: a mass that a spring and a damper pull along the strokes of a comb
    down the back of the head, and that feels the force as a hand would. OUT_DIRECTORY, which exists, gets force.csv, a line per
-   millisecond, and hair.N.obj, the hair at four moments of the first stroke. */
+   millisecond, and hair.N.obj, the hair at four moments of the first stroke. Fails if the hand receives more energy than the haptic object
+   allows; missed updates are printed alone, for they depend on what else the machine does. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <pthread.h>
@@ -359,5 +360,5 @@ int main(int argc, char **argv) {
   shx_haptic_destroy(all.haptic);
   shx_solver_destroy(solver);
   free(ids);
-  return all.missed == 0 && all.state.max_energy_excess <= def.energy_allowance ? EXIT_SUCCESS : EXIT_FAILURE;
+  return all.state.max_energy_excess <= def.energy_allowance ? EXIT_SUCCESS : EXIT_FAILURE;
 }
