@@ -7,14 +7,12 @@ use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::Surface;
 use crate::math::vector::Vec3;
-use crate::step::point_surfaces::{NearestSurfaces, SurfaceAtPoint, Surfaces};
+use crate::step::point_surfaces::{NEAR, NearestSurfaces, SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;
-/// A second body that is farther than this from a point holds nothing there, m.
-const TOUCHES: f64 = 1e-3;
 /// A surface that is farther than this from a point need not be known, m.
-const NEAR: f64 = 2e-3;
+const KNOWN: f64 = 2e-3;
 /// No surface is asked for that is farther, m.
 const FAR: f64 = 0.1;
 
@@ -76,15 +74,15 @@ impl Surfaces for StrandSurfaces<'_> {
             let margin = radius + body.thickness;
             let limit = match (&nearest, &next) {
                 (Err(far), _) => *far,
-                (Ok(first), None) => first.gap.max(TOUCHES),
+                (Ok(first), None) => first.gap.max(NEAR),
                 (Ok(_), Some(second)) => second.gap,
             };
             let away = body.bounds.distance(&at) - margin;
             if away > limit {
                 continue;
             }
-            let found = if away < NEAR {
-                let reach = if body.shape.mesh().is_some() { REACH } else { NEAR };
+            let found = if away < KNOWN {
+                let reach = if body.shape.mesh().is_some() { REACH } else { KNOWN };
                 body.closest_or_least_at_end(at, margin + reach).map_err(|far| away.max(far - margin))
             } else {
                 Err(away)
@@ -96,7 +94,7 @@ impl Surfaces for StrandSurfaces<'_> {
                         Ok(first) if first.gap <= found.gap => Some(found),
                         _ => std::mem::replace(nearest, Ok(found)).ok(),
                     };
-                    next = second.filter(|second| second.gap < TOUCHES).or(next);
+                    next = second.filter(|second| second.gap < NEAR).or(next);
                 }
                 (Err(far), Err(least)) => *least = least.min(far),
                 _ => {}

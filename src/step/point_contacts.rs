@@ -13,8 +13,8 @@ use super::loaded::{self, Units};
 use super::members::Pack;
 use super::point_probes::{Asks, Line, Point, Start};
 use super::point_springs::{PointContacts, Spring};
-use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SurfaceAtPoint, Surfaces};
-use super::point_touches::{Side, Touch};
+use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SURFACES_AT_POINT, SurfaceAtPoint, Surfaces};
+use super::point_touches::{Side, Touch, Touches};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
@@ -119,10 +119,12 @@ impl Touching<'_> {
         let points = it.contacts.points.len();
         for p in 0..points {
             let known = it.contacts.known[lane * points + p];
-            for slot in 0..known.slots() {
-                let change = it.contacts.near.change(&known, slot);
-                if change.iter().any(Option::is_some) {
-                    uncovered = uncovered.max(self.set_spring(it, &places, Spring { lane, p, slot }, &change, is_first));
+            for slot in 0..SURFACES_AT_POINT {
+                let Some(touches) = it.contacts.near.touches(&known) else { break };
+                let (was, is) = (touches.was[slot].map(|touch| touch.presses), touches.is[slot]);
+                if was.is_some() || is.is_some() {
+                    let spring = Spring { lane, p, slot };
+                    uncovered = uncovered.max(self.set_spring(it, &places, spring, was, is.as_ref(), is_first));
                     *has_set = true;
                 }
             }
@@ -162,14 +164,16 @@ impl Touching<'_> {
         normal.dot(now - places.end) - it.contacts.offsets[index].lane(spring.lane) * places.unit
     }
 
-    /// Sets the springs of a point and a body, or takes them away, from what was known of it and what is now. Returns the distance over
-    /// which its inertia yields to the difference of their forces at the present iterate, m.
+    /// Sets the springs of a point and a surface, or takes them away: whether the surface, if it was known in the iteration before, pressed
+    /// then, and what it is now. Returns the distance over which the point's inertia yields to the difference of their forces at the present
+    /// iterate, m.
     fn set_spring<T: Lane>(
         &self,
         it: &mut Iterate<T>,
         places: &Places,
         spring: Spring,
-        [was, next]: &[Option<Touch>; 2],
+        was: Option<bool>,
+        is: Option<&Touch>,
         is_first: bool,
     ) -> f64 {
         let Spring { lane, p, .. } = spring;
@@ -182,7 +186,7 @@ impl Touching<'_> {
         // Forces before, along the normal and along the surface.
         let had_friction = it.contacts.friction[index].lane(lane) * unit;
         let had = if was.is_some() { (-self.planar_gap(it, places, spring, now)).max(0.0) } else { 0.0 };
-        let Some(Touch { side: Side { surface, .. }, rest, held, presses }) = next else {
+        let Some(Touch { side: Side { surface, .. }, rest, held, presses }) = is else {
             for list in [&mut it.system.normal_stiffness, &mut it.contacts.planes, &mut it.contacts.friction] {
                 list[index].set_lane(lane, 0.0);
             }
@@ -191,7 +195,7 @@ impl Touching<'_> {
         let (normal, stiffness) = (surface.normal, STIFFNESS * resists);
         let depth = (rest - surface.gap).max(0.0);
         // A point that has just come has no force yet that tells of friction, but what it had when the step began.
-        let bears = if was.is_some_and(|touch| touch.presses) && !is_first { depth } else { *held };
+        let bears = if was == Some(true) && !is_first { depth } else { *held };
         let bears = bears.min(self.options.holding_depth);
         let slip = tangential((now - start) - surface.carried, normal);
         let distance = slip.norm_squared().sqrt();
@@ -246,7 +250,7 @@ impl Touching<'_> {
     pub fn with_contacts<T: Lane>(&self, it: &Iterate<T>, running: u32) -> u32 {
         let of_lane = |lane: usize| &it.contacts.known[lane * it.point_base.len()..][..it.point_base.len()];
         lanes(running)
-            .filter(|lane| of_lane(*lane).iter().any(|known| it.contacts.near.touches(known).press()))
+            .filter(|lane| of_lane(*lane).iter().any(|known| it.contacts.near.touches(known).is_some_and(Touches::press)))
             .fold(0, |set, lane| set | 1 << lane)
     }
 
@@ -269,17 +273,15 @@ impl Touching<'_> {
             let (places, per_step) = (Places::of(self, lane), 1.0 / h);
             for (p, velocity) in velocities.iter_mut().enumerate() {
                 let place = lane * it.point_base.len() + p;
+                let touches = it.contacts.near.touches(&it.contacts.known[place]);
+                let Some(touches) = touches.filter(|touches| touches.press()) else { continue };
                 let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
                 let mut moved = (now - start).scale(per_step);
-                let mut presses = false;
-                for touch in it.contacts.near.touches(&it.contacts.known[place]).iter().filter(|touch| touch.presses) {
+                for touch in touches.iter().filter(|touch| touch.presses) {
                     let SurfaceAtPoint { normal, carried, .. } = touch.side.surface;
                     moved -= normal.scale(normal.dot(moved - carried.scale(per_step)).max(0.0));
-                    presses = true;
                 }
-                if presses {
-                    loaded::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
-                }
+                loaded::put(&mut velocity.0, lane, &moved.0, 1.0 / self.units[lane].speed());
             }
         }
     }
@@ -289,8 +291,9 @@ impl Touching<'_> {
         let places = Places::of(self, lane);
         for p in 0..it.point_base.len() {
             let place = lane * it.point_base.len() + p;
+            let Some(touches) = it.contacts.near.touches(&it.contacts.known[place]) else { continue };
             let (Start { arclength, at: start }, now) = (it.contacts.starts[place], places.now(it, p, lane));
-            for (slot, touch) in it.contacts.near.touches(&it.contacts.known[place]).is.iter().enumerate() {
+            for (slot, touch) in touches.is.iter().enumerate() {
                 let Some(Touch { side: Side { surface, .. }, .. }) = *touch else { continue };
                 let spring = Spring { lane, p, slot };
                 let (index, overlap) = (spring.index(it.point_base.len()), -self.planar_gap(it, &places, spring, now));

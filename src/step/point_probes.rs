@@ -3,12 +3,9 @@
 //!
 //! A place between two points has no force of its own: if it is deeper in a body than they are, both bear it.
 
-use super::point_surfaces::{SURFACES_AT_POINT, Surfaces};
+use super::point_surfaces::{NEAR, SURFACES_AT_POINT, Surfaces};
 use super::point_touches::{Side, Sides, Touch, Touches};
 use crate::math::vector::Vec3;
-
-/// Surfaces this near may touch a point that lay on them when the step began, m.
-pub(super) const NEAR: f64 = 1e-3;
 
 /// The most that a gap changes over a distance, see `Shape::distance_slope`.
 const SLOPE: f64 = 1.25;
@@ -118,11 +115,6 @@ pub(super) struct Known {
 
 impl Known {
     pub const NOTHING: Self = Self { own: Place::NOTHING, beside: Place::NOTHING, touches: None };
-
-    /// How many surfaces may be near it.
-    pub fn slots(&self) -> usize {
-        if self.touches.is_some() { SURFACES_AT_POINT } else { 0 }
-    }
 }
 
 /// What is known of the points and places that surfaces have been near to in this step: few of all.
@@ -139,15 +131,9 @@ impl Near {
         self.touches.clear();
     }
 
-    /// One of the surfaces near a point, as it was in the iteration before and as it is.
-    pub fn change(&self, of: &Known, slot: usize) -> [Option<Touch>; 2] {
-        let touches = self.touches(of);
-        [touches.was[slot], touches.is[slot]]
-    }
-
-    /// The surfaces near a point.
-    pub fn touches(&self, of: &Known) -> &Touches {
-        of.touches.map_or(&Touches::NONE, |at| &self.touches[at as usize])
+    /// The surfaces near a point; none where no surface has been near.
+    pub fn touches(&self, of: &Known) -> Option<&Touches> {
+        of.touches.map(|at| &self.touches[at as usize])
     }
 
     fn touches_mut(&mut self, of: &Known) -> Option<&mut Touches> {
@@ -272,9 +258,13 @@ impl Line<'_> {
     fn ask_between(&mut self, asks: &Asks, margin: f64) {
         for p in 0..self.points.len() {
             let arclength = self.beside(p);
-            let pressed = self.pair(p).iter().any(|point| point.pressed);
-            let least = |(point, start): (&Point, &Start)| point.least - SLOPE * (arclength - start.arclength).abs();
-            if !pressed && self.pair(p).iter().zip(&self.starts[p..]).map(least).fold(f64::NEG_INFINITY, f64::max) > margin {
+            let (here, next) = (&self.points[p], self.points.get(p + 1));
+            let pressed = here.pressed || next.is_some_and(|next| next.pressed);
+            let mut least = here.least - SLOPE * (arclength - self.starts[p].arclength);
+            if let Some(next) = next {
+                least = least.max(next.least - SLOPE * (self.starts[p + 1].arclength - arclength));
+            }
+            if !pressed && least > margin {
                 continue;
             }
             let now = self.place(p, arclength, |k| self.points[k].now);
@@ -299,11 +289,6 @@ impl Line<'_> {
         }
     }
 
-    /// A point and the next, or the last alone.
-    fn pair(&self, p: usize) -> &[Point] {
-        &self.points[p..self.points.len().min(p + 2)]
-    }
-
     /// The arclength halfway from point `p` to the next; for the last that of the tip.
     fn beside(&self, p: usize) -> f64 {
         self.starts.get(p + 1).map_or(self.length, |next| 0.5 * (self.starts[p].arclength + next.arclength))
@@ -319,9 +304,9 @@ impl Line<'_> {
     fn leave_pierced(&mut self) {
         let mut was = [false; SURFACES_AT_POINT];
         for p in 0..self.known.len() {
-            let next = self.known.get(p + 1).filter(|next| next.touches.is_some() && self.known[p].touches.is_some());
-            let pierce = |next| self.near.touches(&self.known[p]).pierce(self.near.touches(next));
-            let (pierced, next) = next.map_or_else(Default::default, pierce);
+            let here = self.near.touches(&self.known[p]);
+            let there = self.known.get(p + 1).and_then(|next| self.near.touches(next));
+            let (pierced, next) = here.zip(there).map(|(here, there)| here.pierce(there)).unwrap_or_default();
             if let Some(here) = self.near.touches_mut(&self.known[p]) {
                 for slot in (0..SURFACES_AT_POINT).filter(|slot| was[*slot] || pierced[*slot]) {
                     here.is[slot] = None;
@@ -346,7 +331,7 @@ impl Line<'_> {
         // Of the others only what is deeper counts.
         for p in 0..self.points.len() {
             let known = &self.known[p];
-            if self.near.touches(known).is_empty() {
+            if self.near.touches(known).is_none_or(Touches::is_empty) {
                 let (arclength, now) = (self.starts[p].arclength, self.points[p].now);
                 smallest = smallest.min(known.own.gap_below(smallest.min(0.0), surfaces, arclength, now));
             }
@@ -363,16 +348,34 @@ impl Line<'_> {
 
 /// A place at an arclength about point `p`: by the polynomial through the points around it.
 fn interpolate(starts: &[Start], p: usize, arclength: f64, point: impl Fn(usize) -> Vec3<f64>) -> Vec3<f64> {
-    let count = starts.len().min(STENCIL);
-    let first = p.saturating_sub(1).min(starts.len() - count);
+    let first = p.saturating_sub(1).min(starts.len().saturating_sub(STENCIL));
+    match &starts[first..] {
+        [a, b, c, d, ..] => interpolate_by([a, b, c, d], first, arclength, point),
+        [a, b, c] => interpolate_by([a, b, c], first, arclength, point),
+        [a, b] => interpolate_by([a, b], first, arclength, point),
+        [a] => interpolate_by([a], first, arclength, point),
+        [] => Vec3::zero(),
+    }
+}
+
+/// Lagrange's polynomial through N points, of which the first is point `first`.
+fn interpolate_by<const N: usize>(
+    starts: [&Start; N],
+    first: usize,
+    arclength: f64,
+    point: impl Fn(usize) -> Vec3<f64>,
+) -> Vec3<f64> {
+    let at = starts.map(|start| start.arclength);
     let mut place = Vec3::zero();
-    for i in first..first + count {
+    for i in 0..N {
         let (mut above, mut below) = (1.0, 1.0);
-        for j in (first..first + count).filter(|j| *j != i) {
-            above *= arclength - starts[j].arclength;
-            below *= starts[i].arclength - starts[j].arclength;
+        for j in 0..N {
+            if j != i {
+                above *= arclength - at[j];
+                below *= at[i] - at[j];
+            }
         }
-        place += point(i).scale(above / below);
+        place += point(first + i).scale(above / below);
     }
     place
 }

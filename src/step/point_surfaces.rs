@@ -37,6 +37,9 @@ pub struct SurfaceAtPoint {
     pub against: f64,
 }
 
+/// Surfaces this near may touch a point that lay on them when the step began, m.
+pub const NEAR: f64 = 1e-3;
+
 /// How many surfaces may hold a point at a time.
 pub const SURFACES_AT_POINT: usize = 3;
 

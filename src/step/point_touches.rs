@@ -4,8 +4,7 @@
 //! would go to and fro between them. So a place keeps the sides that it knew in the iteration before, if they hold it together with the
 //! nearest.
 
-use super::point_probes::NEAR;
-use super::point_surfaces::{NearestSurfaces, SURFACES_AT_POINT, SurfaceAtPoint};
+use super::point_surfaces::{NEAR, NearestSurfaces, SURFACES_AT_POINT, SurfaceAtPoint};
 use crate::math::vector::Vec3;
 use std::cmp::Ordering;
 
