@@ -13,8 +13,8 @@ use super::loaded::{self, Units};
 use super::members::Pack;
 use super::point_probes::{Asks, Line, Point, Start};
 use super::point_springs::{PointContacts, Spring};
-use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SURFACES_AT_POINT, SurfaceAtPoint, Surfaces};
-use super::point_touches::{Side, Touch, Touches};
+use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SurfaceAtPoint, Surfaces};
+use super::point_touches::{Side, Slot, Touch};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
@@ -119,14 +119,16 @@ impl Touching<'_> {
         let points = it.contacts.points.len();
         for p in 0..points {
             let known = it.contacts.known[lane * points + p];
-            for slot in 0..SURFACES_AT_POINT {
-                let Some(touches) = it.contacts.near.touches(&known) else { break };
-                let (was, is) = (touches.was[slot].map(|touch| touch.presses), touches.is[slot]);
+            let (mut next, mut slot) = (known.touches, 0);
+            while let Some(at) = next {
+                let Slot { is, was, next: after } = *it.contacts.near.touches.slot(at);
                 if was.is_some() || is.is_some() {
                     let spring = Spring { lane, p, slot };
+                    let was = was.map(|touch| touch.presses);
                     uncovered = uncovered.max(self.set_spring(it, &places, spring, was, is.as_ref(), is_first));
                     *has_set = true;
                 }
+                (next, slot) = (after, slot + 1);
             }
         }
         uncovered
@@ -250,7 +252,7 @@ impl Touching<'_> {
     pub fn with_contacts<T: Lane>(&self, it: &Iterate<T>, running: u32) -> u32 {
         let of_lane = |lane: usize| &it.contacts.known[lane * it.point_base.len()..][..it.point_base.len()];
         lanes(running)
-            .filter(|lane| of_lane(*lane).iter().any(|known| it.contacts.near.touches(known).is_some_and(Touches::press)))
+            .filter(|lane| of_lane(*lane).iter().any(|known| it.contacts.near.of(known).any(|touch| touch.presses)))
             .fold(0, |set, lane| set | 1 << lane)
     }
 
@@ -273,11 +275,13 @@ impl Touching<'_> {
             let (places, per_step) = (Places::of(self, lane), 1.0 / h);
             for (p, velocity) in velocities.iter_mut().enumerate() {
                 let place = lane * it.point_base.len() + p;
-                let touches = it.contacts.near.touches(&it.contacts.known[place]);
-                let Some(touches) = touches.filter(|touches| touches.press()) else { continue };
+                let pressing = || it.contacts.near.of(&it.contacts.known[place]).filter(|touch| touch.presses);
+                if pressing().next().is_none() {
+                    continue;
+                }
                 let (start, now) = (it.contacts.starts[place].at, places.now(it, p, lane));
                 let mut moved = (now - start).scale(per_step);
-                for touch in touches.iter().filter(|touch| touch.presses) {
+                for touch in pressing() {
                     let SurfaceAtPoint { normal, carried, .. } = touch.side.surface;
                     moved -= normal.scale(normal.dot(moved - carried.scale(per_step)).max(0.0));
                 }
@@ -291,10 +295,13 @@ impl Touching<'_> {
         let places = Places::of(self, lane);
         for p in 0..it.point_base.len() {
             let place = lane * it.point_base.len() + p;
-            let Some(touches) = it.contacts.near.touches(&it.contacts.known[place]) else { continue };
+            let known = &it.contacts.known[place];
+            if known.touches.is_none() {
+                continue;
+            }
             let (Start { arclength, at: start }, now) = (it.contacts.starts[place], places.now(it, p, lane));
-            for (slot, touch) in touches.is.iter().enumerate() {
-                let Some(Touch { side: Side { surface, .. }, .. }) = *touch else { continue };
+            for (slot, near) in it.contacts.near.touches.slots(known.touches).enumerate() {
+                let Some(Touch { side: Side { surface, .. }, .. }) = near.is else { continue };
                 let spring = Spring { lane, p, slot };
                 let (index, overlap) = (spring.index(it.point_base.len()), -self.planar_gap(it, &places, spring, now));
                 if overlap <= 0.0 {

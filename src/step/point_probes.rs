@@ -4,7 +4,7 @@
 //! A place between two points has no force of its own: if it is deeper in a body than they are, both bear it.
 
 use super::point_surfaces::{NEAR, SURFACES_AT_POINT, Surfaces};
-use super::point_touches::{Side, Sides, Touch, Touches};
+use super::point_touches::{OtherSides, Side, Sides, Touch, Touches, known_in};
 use crate::math::vector::Vec3;
 
 /// The most that a gap changes over a distance, see `Shape::distance_slope`.
@@ -23,7 +23,7 @@ struct Place {
     at: Vec3<f64>,
     /// Its gap there, or less, m.
     gap: f64,
-    /// Its place in [`Near::places`], once a surface has been near.
+    /// Where it is among the places that a surface has been near to, once one has been.
     near: Option<u32>,
 }
 
@@ -50,7 +50,7 @@ impl Place {
     /// the smallest gap, overlaps that are permitted counted.
     fn ask(
         &mut self,
-        near: &mut Vec<NearPlace>,
+        near: &mut NearPlaces,
         asks: &Asks,
         arclength: f64,
         now: Vec3<f64>,
@@ -67,10 +67,11 @@ impl Place {
         };
         self.gap = found.nearest.gap;
         if self.gap < NEAR {
-            let near = known_in(near, &mut self.near, NearPlace::NEW);
+            let NearPlaces { places, sides } = near;
+            let near = known_in(places, &mut self.near, NearPlace::NEW);
             let nearest = Side::new(&found.nearest, now);
             let next = found.next.filter(|next| next.gap < NEAR).map(|next| Side::new(&next, now));
-            let [leaning, other] = near.sides.keep(nearest, now);
+            let [leaning, other] = near.sides.keep(sides, nearest, now);
             for side in [Some(nearest), next, leaning, other].into_iter().flatten() {
                 take(side, near.depth_at_start(asks, arclength, side.surface.body, &start));
             }
@@ -109,8 +110,8 @@ pub(super) struct Known {
     own: Place,
     /// The place between it and the next point; for the last point the tip.
     beside: Place,
-    /// Its place in [`Near::touches`], once a surface has been near.
-    touches: Option<u32>,
+    /// The first of its slots in [`Near::touches`], once a surface has been near.
+    pub touches: Option<u32>,
 }
 
 impl Known {
@@ -120,34 +121,31 @@ impl Known {
 /// What is known of the points and places that surfaces have been near to in this step: few of all.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Near {
+    places: NearPlaces,
+    /// The surfaces near the points.
+    pub touches: Touches,
+}
+
+/// See [`Near`].
+#[derive(Debug, Clone, Default)]
+struct NearPlaces {
     places: Vec<NearPlace>,
-    touches: Vec<Touches>,
+    /// Sides of creases that some of them are in.
+    sides: Vec<OtherSides>,
 }
 
 impl Near {
     /// Forgets everything.
     pub fn clear(&mut self) {
-        self.places.clear();
+        self.places.places.clear();
+        self.places.sides.clear();
         self.touches.clear();
     }
 
-    /// The surfaces near a point; none where no surface has been near.
-    pub fn touches(&self, of: &Known) -> Option<&Touches> {
-        of.touches.map(|at| &self.touches[at as usize])
+    /// The surfaces near a point.
+    pub fn of(&self, known: &Known) -> impl Iterator<Item = &Touch> {
+        self.touches.of(known.touches)
     }
-
-    fn touches_mut(&mut self, of: &Known) -> Option<&mut Touches> {
-        of.touches.map(|at| &mut self.touches[at as usize])
-    }
-}
-
-/// An item of a list, which is made now if it has no place there yet.
-fn known_in<'a, V>(list: &'a mut Vec<V>, at: &mut Option<u32>, new: V) -> &'a mut V {
-    let at = *at.get_or_insert_with(|| {
-        list.push(new);
-        list.len() as u32 - 1
-    });
-    &mut list[at as usize]
 }
 
 /// How a strand's surfaces are asked for.
@@ -212,10 +210,7 @@ impl Line<'_> {
     pub fn ask(&mut self, asks: &Asks) {
         let margin = if asks.is_first { NEAR } else { 0.0 };
         for (point, known) in self.points.iter_mut().zip(&mut *self.known) {
-            if let Some(touches) = self.near.touches_mut(known) {
-                touches.was = std::mem::replace(&mut touches.is, Touches::NONE.is);
-                point.pressed = touches.pressed();
-            }
+            point.pressed = self.near.touches.begin(known.touches);
         }
         self.ask_at_points(asks, margin);
         if self.points.len() >= 2 {
@@ -247,9 +242,7 @@ impl Line<'_> {
                 start.arclength,
                 now,
                 || start.at,
-                |side, start_depth| {
-                    known_in(touches, at, Touches::NONE).take(asks.touch(side, start_depth), asks.is_first);
-                },
+                |side, start_depth| touches.take(at, asks.touch(side, start_depth), asks.is_first),
             );
             last = Some((now, point.least));
         }
@@ -282,7 +275,7 @@ impl Line<'_> {
                     return;
                 }
                 for known in known[p..].iter_mut().take(2) {
-                    known_in(touches, &mut known.touches, Touches::NONE).take(asks.touch(side, start_depth), asks.is_first);
+                    touches.take(&mut known.touches, asks.touch(side, start_depth), asks.is_first);
                 }
             });
             self.known[p].beside = place;
@@ -304,14 +297,9 @@ impl Line<'_> {
     fn leave_pierced(&mut self) {
         let mut was = [false; SURFACES_AT_POINT];
         for p in 0..self.known.len() {
-            let here = self.near.touches(&self.known[p]);
-            let there = self.known.get(p + 1).and_then(|next| self.near.touches(next));
-            let (pierced, next) = here.zip(there).map(|(here, there)| here.pierce(there)).unwrap_or_default();
-            if let Some(here) = self.near.touches_mut(&self.known[p]) {
-                for slot in (0..SURFACES_AT_POINT).filter(|slot| was[*slot] || pierced[*slot]) {
-                    here.is[slot] = None;
-                }
-            }
+            let (here, there) = (self.known[p].touches, self.known.get(p + 1).and_then(|next| next.touches));
+            let [pierced, next] = self.near.touches.pierce(here, there);
+            self.near.touches.leave(here, |slot| was[slot] || pierced[slot]);
             was = next;
         }
     }
@@ -321,17 +309,17 @@ impl Line<'_> {
     pub fn measure(&mut self, surfaces: &dyn Surfaces) -> f64 {
         let mut smallest = f64::INFINITY;
         for p in 0..self.points.len() {
-            if let Some(touches) = self.near.touches_mut(&self.known[p]).filter(|touches| !touches.is_empty()) {
+            if self.near.of(&self.known[p]).next().is_some() {
                 let now = self.points[p].now;
                 let found = surfaces.nearest(self.starts[p].arclength, now);
                 smallest = smallest.min(found.as_ref().map_or_else(|at_least| *at_least, |found| found.nearest.gap));
-                touches.measure(found.ok().as_ref(), now);
+                self.near.touches.measure(self.known[p].touches, found.ok().as_ref(), now);
             }
         }
         // Of the others only what is deeper counts.
         for p in 0..self.points.len() {
             let known = &self.known[p];
-            if self.near.touches(known).is_none_or(Touches::is_empty) {
+            if self.near.of(known).next().is_none() {
                 let (arclength, now) = (self.starts[p].arclength, self.points[p].now);
                 smallest = smallest.min(known.own.gap_below(smallest.min(0.0), surfaces, arclength, now));
             }

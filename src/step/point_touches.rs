@@ -72,26 +72,46 @@ impl Side {
 
 /// The sides of a body's crease about a place.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sides([Option<Side>; SURFACES_AT_POINT]);
+pub(super) struct Sides {
+    /// What was found nearest.
+    nearest: Option<Side>,
+    /// Where the others are in the list of those, once there have been any: few places are in a crease.
+    others: Option<u32>,
+}
+
+/// The sides of a crease that are kept beside the nearest.
+pub(super) type OtherSides = [Option<Side>; 2];
 
 impl Sides {
-    pub const NONE: Self = Self([None; SURFACES_AT_POINT]);
+    pub const NONE: Self = Self { nearest: None, others: None };
 
     /// Sets what was found nearest to the place at `now`. Of the other sides that were known it keeps, and returns, the one that presses
     /// and leans most against the nearest, which ends sliding along that, and the nearest of the rest.
-    pub fn keep(&mut self, nearest: Side, now: Vec3<f64>) -> [Option<Side>; 2] {
-        if self.0[0].is_none() {
-            self.0[0] = Some(nearest);
+    pub fn keep(&mut self, list: &mut Vec<OtherSides>, nearest: Side, now: Vec3<f64>) -> OtherSides {
+        let was = self.nearest.replace(nearest);
+        if was.is_none() {
             return [None; 2];
         }
         let is_other = |side: &Side| side.surface.body == nearest.surface.body && side.makes_crease(&nearest);
-        let mut others = self.0.map(|side| side?.carried(now).filter(is_other));
+        let [one, two] = self.others.map_or([None; 2], |at| list[at as usize]);
+        let mut others = [was, one, two].map(|side| side?.carried(now).filter(is_other));
         let leans = |side: &Side| (side.surface.gap < 0.0).then(|| side.surface.normal.dot(nearest.surface.normal));
         let leaning = take_least(&mut others, leans);
-        let next = take_least(&mut others, |side| Some(side.surface.gap));
-        self.0 = [Some(nearest), leaning, next];
-        [leaning, next]
+        let kept = [leaning, take_least(&mut others, |side| Some(side.surface.gap))];
+        if self.others.is_some() || kept.iter().any(Option::is_some) {
+            *known_in(list, &mut self.others, kept) = kept;
+        }
+        kept
     }
+}
+
+/// An item of a list, which is made now if it has no place there yet.
+pub(super) fn known_in<'a, V>(list: &'a mut Vec<V>, at: &mut Option<u32>, new: V) -> &'a mut V {
+    let at = *at.get_or_insert_with(|| {
+        list.push(new);
+        list.len() as u32 - 1
+    });
+    &mut list[at as usize]
 }
 
 /// Takes out the side with the least rank, of those that have one.
@@ -121,83 +141,150 @@ impl Touch {
     }
 }
 
-/// The surfaces near a point. Each keeps its place among them from one iteration to the next.
+/// A slot for a surface near a point, which the surface keeps from one iteration to the next.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Touches {
-    /// Those that are near now.
-    pub is: [Option<Touch>; SURFACES_AT_POINT],
-    /// Those that were in the iteration before.
-    pub was: [Option<Touch>; SURFACES_AT_POINT],
+pub(super) struct Slot {
+    /// What is near now.
+    pub is: Option<Touch>,
+    /// The point's next slot.
+    pub next: Option<u32>,
+    /// What was near in the iteration before.
+    pub was: Option<Touch>,
 }
 
+/// The surfaces near points. A point has a chain of up to [`SURFACES_AT_POINT`] slots, and is known by the first of them; most points
+/// have no more, or none.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Touches(Vec<Slot>);
+
 impl Touches {
-    pub const NONE: Self = Self { is: [None; SURFACES_AT_POINT], was: [None; SURFACES_AT_POINT] };
-
-    pub fn iter(&self) -> impl Iterator<Item = &Touch> {
-        self.is.iter().flatten()
+    /// Forgets everything.
+    pub fn clear(&mut self) {
+        self.0.clear();
     }
 
-    pub fn is_empty(&self) -> bool {
-        self.iter().next().is_none()
+    /// A slot.
+    pub fn slot(&self, at: u32) -> &Slot {
+        &self.0[at as usize]
     }
 
-    /// Whether one presses.
-    pub fn press(&self) -> bool {
-        self.iter().any(|touch| touch.presses)
+    /// The slots of a point.
+    pub fn slots(&self, first: Option<u32>) -> impl Iterator<Item = &Slot> {
+        std::iter::successors(first.map(|at| self.slot(at)), |slot| slot.next.map(|at| self.slot(at)))
     }
 
-    /// Whether one pressed in the iteration before.
-    pub fn pressed(&self) -> bool {
-        self.was.iter().flatten().any(|touch| touch.presses)
+    /// The surfaces near a point.
+    pub fn of(&self, first: Option<u32>) -> impl Iterator<Item = &Touch> {
+        self.slots(first).filter_map(|slot| slot.is.as_ref())
     }
 
-    /// Takes over a surface at one of the point's places, if none of the same side is nearer so far; or, before anything else is known of the
+    /// Calls `work` with each slot of a point and which of them it is.
+    fn change(&mut self, first: Option<u32>, mut work: impl FnMut(usize, &mut Slot)) {
+        let (mut next, mut number) = (first, 0);
+        while let Some(at) = next {
+            let slot = &mut self.0[at as usize];
+            work(number, slot);
+            (next, number) = (slot.next, number + 1);
+        }
+    }
+
+    /// Begins an iteration: nothing is near a point so far. Returns whether a surface pressed it in the iteration before.
+    pub fn begin(&mut self, first: Option<u32>) -> bool {
+        let mut pressed = false;
+        self.change(first, |_, slot| {
+            slot.was = slot.is.take();
+            pressed |= slot.was.is_some_and(|touch| touch.presses);
+        });
+        pressed
+    }
+
+    /// Takes over a surface in one of the point's slots, if none of the same side is nearer so far; or, before anything else is known of the
     /// body, none of the same body.
-    pub fn take(&mut self, touch: Touch, is_first: bool) {
-        let body = touch.side.surface.body;
-        let known = |other: &Option<Touch>| other.is_some_and(|other| other.side.surface.body == body);
-        let slot = self.is.iter().position(known).filter(|_| is_first).unwrap_or_else(|| self.slot(&touch));
-        if self.is[slot].is_none_or(|nearest| touch.above() < nearest.above()) {
-            self.is[slot] = Some(touch);
+    pub fn take(&mut self, first: &mut Option<u32>, touch: Touch, is_first: bool) {
+        let is_known = |slot: &Slot| slot.is.is_some_and(|other| other.side.surface.body == touch.side.surface.body);
+        let known = if is_first { self.find(*first, is_known) } else { None };
+        let at = known.unwrap_or_else(|| self.slot_for(first, &touch));
+        let slot = &mut self.0[at as usize];
+        if slot.is.is_none_or(|nearest| touch.above() < nearest.above()) {
+            slot.is = Some(touch);
         }
     }
 
     /// Where a surface goes: where the same side is or was; else where none is, was, or is nearest.
-    fn slot(&self, touch: &Touch) -> usize {
-        let slots = 0..SURFACES_AT_POINT;
+    fn slot_for(&mut self, first: &mut Option<u32>, touch: &Touch) -> u32 {
         let same = |other: &Option<Touch>| other.is_some_and(|other| other.side.is_same(&touch.side));
-        let above = |slot: &usize| self.is[*slot].map_or(f64::INFINITY, |touch| touch.above());
-        (slots.clone().find(|slot| same(&self.is[*slot])))
-            .or_else(|| slots.clone().find(|slot| self.is[*slot].is_none() && same(&self.was[*slot])))
-            .or_else(|| slots.clone().find(|slot| self.is[*slot].is_none() && self.was[*slot].is_none()))
-            .or_else(|| slots.clone().find(|slot| self.is[*slot].is_none()))
-            .or_else(|| slots.max_by(|a, b| above(a).total_cmp(&above(b))))
-            .unwrap_or(0)
+        let found = (self.find(*first, |slot| same(&slot.is)))
+            .or_else(|| self.find(*first, |slot| slot.is.is_none() && same(&slot.was)))
+            .or_else(|| self.find(*first, |slot| slot.is.is_none() && slot.was.is_none()))
+            .or_else(|| self.add_slot(first))
+            .or_else(|| self.find(*first, |slot| slot.is.is_none()));
+        found.unwrap_or_else(|| self.highest(*first))
     }
 
-    /// Which of them and of the next point's a body pushes against each other, not into a crease.
-    pub fn pierce(&self, next: &Self) -> ([bool; SURFACES_AT_POINT], [bool; SURFACES_AT_POINT]) {
-        let mut pierced = ([false; SURFACES_AT_POINT], [false; SURFACES_AT_POINT]);
-        for (here, touch) in self.is.iter().enumerate() {
-            for (there, other) in next.is.iter().enumerate() {
-                let (Some(touch), Some(other)) = (touch, other) else { continue };
+    /// Where the first slot of a point is that is so.
+    fn find(&self, first: Option<u32>, is_so: impl Fn(&Slot) -> bool) -> Option<u32> {
+        std::iter::successors(first, |at| self.slot(*at).next).find(|at| is_so(self.slot(*at)))
+    }
+
+    /// Where the surface of a point is that is highest above where its spring rests.
+    fn highest(&self, first: Option<u32>) -> u32 {
+        let above = |at: &u32| self.slot(*at).is.map_or(f64::INFINITY, |touch| touch.above());
+        let slots = std::iter::successors(first, |at| self.slot(*at).next);
+        slots.max_by(|a, b| above(a).total_cmp(&above(b))).unwrap_or(0)
+    }
+
+    /// Adds a slot to a point, unless it has all that it may.
+    fn add_slot(&mut self, first: &mut Option<u32>) -> Option<u32> {
+        let (mut last, mut count) = (None, 0);
+        let mut next = *first;
+        while let Some(at) = next {
+            (last, next, count) = (next, self.slot(at).next, count + 1);
+        }
+        let new = (count < SURFACES_AT_POINT).then_some(self.0.len() as u32)?;
+        self.0.push(Slot { is: None, next: None, was: None });
+        match last {
+            Some(last) => self.0[last as usize].next = Some(new),
+            None => *first = Some(new),
+        }
+        Some(new)
+    }
+
+    /// Which slots of a point and of the next have a body's surfaces that push them against each other, not into a crease.
+    pub fn pierce(&self, here: Option<u32>, there: Option<u32>) -> [Which; 2] {
+        let mut pierced = [Which::default(); 2];
+        for (here, touch) in self.slots(here).enumerate() {
+            for (there, other) in self.slots(there).enumerate() {
+                let (Some(touch), Some(other)) = (&touch.is, &other.is) else { continue };
                 let opposed = touch.side.surface.normal.dot(other.side.surface.normal) < 0.0;
                 if touch.presses && other.presses && opposed && touch.side.is_same(&other.side) {
-                    (pierced.0[here], pierced.1[there]) = (true, true);
+                    (pierced[0][here], pierced[1][there]) = (true, true);
                 }
             }
         }
         pierced
     }
 
-    /// Measures their gaps for the point at `now`, where these surfaces were found.
-    pub fn measure(&mut self, found: Option<&NearestSurfaces>, now: Vec3<f64>) {
-        for touch in self.is.iter_mut().flatten() {
+    /// Takes away the surfaces in some slots of a point.
+    pub fn leave(&mut self, first: Option<u32>, is_left: impl Fn(usize) -> bool) {
+        self.change(first, |number, slot| {
+            if is_left(number) {
+                slot.is = None;
+            }
+        });
+    }
+
+    /// Measures the gaps of a point at `now`, where these surfaces were found.
+    pub fn measure(&mut self, first: Option<u32>, found: Option<&NearestSurfaces>, now: Vec3<f64>) {
+        self.change(first, |_, slot| {
+            let Some(touch) = &mut slot.is else { return };
             let found = found.and_then(|found| found.iter().find(|found| Side::new(found, now).is_same(&touch.side)));
             touch.side.surface.gap = found.map_or_else(|| touch.side.gap(now), |found| found.gap);
-        }
+        });
     }
 }
+
+/// For each slot of a point whether it is one of some.
+pub(super) type Which = [bool; SURFACES_AT_POINT];
 
 #[cfg(test)]
 mod tests {
@@ -251,19 +338,19 @@ mod tests {
 
     #[test]
     fn a_place_keeps_the_side_that_leans_against_the_nearest() {
-        let mut sides = Sides::NONE;
+        let (mut sides, mut list) = (Sides::NONE, Vec::new());
         let now = |y: f64| Vec3([0.0, y, 1e-5]);
         let of = |y: f64| side([0.0, -y.signum(), 1.0], now(y).0, (1e-5 - y.abs()) / 2.0_f64.sqrt());
-        assert!(sides.keep(of(-1e-4), now(-1e-4)).iter().all(Option::is_none));
+        assert!(sides.keep(&mut list, of(-1e-4), now(-1e-4)).iter().all(Option::is_none));
         // Above the left side's plane, and below.
         for (y, leans) in [(1e-4, false), (1e-5, true)] {
-            let [leaning, next] = sides.keep(of(y), now(y));
+            let [leaning, next] = sides.keep(&mut list, of(y), now(y));
             let gap = (if leans { leaning } else { next }).unwrap().surface.gap;
             assert!((gap - ((1e-5 + y) / 2.0_f64.sqrt() - MARGIN)).abs() < 1e-9, "{gap:e}");
             assert_eq!([leaning, next].iter().flatten().count(), 1);
         }
         // Far away nothing is known of it any more.
         let far = Vec3([0.1, 1e-4, 1e-5]);
-        assert!(sides.keep(side([0.0, -1.0, 1.0], far.0, -1e-4), far).iter().all(Option::is_none));
+        assert!(sides.keep(&mut list, side([0.0, -1.0, 1.0], far.0, -1e-4), far).iter().all(Option::is_none));
     }
 }
