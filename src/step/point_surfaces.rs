@@ -27,6 +27,8 @@ pub struct SurfaceAtPoint {
     pub permitted: f64,
     /// How far the strand's axis is from the body's surface where they touch, m.
     pub margin: f64,
+    /// The radius with which the body rounds its creases and edges, m.
+    pub rounding: f64,
     /// Unit, from the body to the strand.
     pub normal: Vec3<f64>,
     /// Displacement of the surface during the step, m.

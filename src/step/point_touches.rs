@@ -11,8 +11,8 @@ use std::cmp::Ordering;
 /// Two normals of a body whose angle has a larger cosine are of the same side.
 const SAME_SIDE: f64 = 0.995;
 
-/// A body that is concave with a larger radius than this holds a point by its nearest surface alone, m.
-const SHARP: f64 = 3e-3;
+/// A body that is concave with a larger radius than this, and than it rounds its creases, holds a point by its nearest surface alone, m.
+const SHARP: f64 = 2e-3;
 
 /// Distances below this are of rounding, m.
 const ROUNDING: f64 = 1e-6;
@@ -53,7 +53,7 @@ impl Side {
         // (Along a crease its sides may be anywhere; walls that face each other have no such direction.)
         let along = one.cross(two);
         let aside = across.norm_squared() - along.dot(across).powi(2) / along.norm_squared().max(f64::MIN_POSITIVE);
-        let is_sharp = aside < SHARP * SHARP * turn.norm_squared();
+        let is_sharp = aside < SHARP.max(self.surface.rounding).powi(2) * turn.norm_squared();
         one.dot(two) < SAME_SIDE && is_sharp && (together > ROUNDING || is_edge_inside)
     }
 
@@ -301,6 +301,7 @@ mod tests {
             gap: distance - MARGIN,
             permitted: 0.0,
             margin: MARGIN,
+            rounding: 0.0,
             normal: Vec3(normal).scale(1.0 / length),
             carried: Vec3::zero(),
             along: 0.0,
