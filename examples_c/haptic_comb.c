@@ -6,7 +6,7 @@
    it; neither waits for the other. Hand and device are simulated here: a mass that a spring and a damper pull along the strokes of a comb
    down the back of the head, and that feels the force as a hand would. OUT_DIRECTORY, which exists, gets force.csv, a line per
    millisecond, and hair.N.obj, the hair at four moments of the first stroke. Fails if the hand receives more energy than the haptic object
-   allows; missed updates are printed alone, for they depend on what else the machine does. */
+   allows; missed updates are only printed, since they depend on what else the machine is doing. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <pthread.h>

@@ -14,7 +14,7 @@ const REACH: f64 = 5e-3;
 /// A surface that is farther than this from a point need not be known, m.
 const KNOWN: f64 = 2e-3;
 /// The radius with which a distance grid rounds a crease, in cells.
-const ROUNDING: f64 = 0.6;
+const ROUNDED_CELLS: f64 = 0.6;
 /// No surface is asked for that is farther, m.
 const FAR: f64 = 0.1;
 
@@ -47,7 +47,7 @@ impl<'a> StrandSurfaces<'a> {
             gap: gap + permitted,
             permitted,
             margin: self.contact.radius + body.thickness,
-            rounding: body.shape.grid().map_or(0.0, |grid| ROUNDING * grid.cell()),
+            rounding: body.shape.grid().map_or(0.0, |grid| ROUNDED_CELLS * grid.cell()),
             normal: body.to_world(&surface.normal).into(),
             carried: body.carried(surface).into(),
             along: self.contact.friction.along * body.friction,

@@ -13,7 +13,7 @@ use super::loaded::{self, Units};
 use super::members::Pack;
 use super::point_probes::{Asks, Line, Point, Start};
 use super::point_springs::{PointContacts, Spring};
-use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SurfaceAtPoint, Surfaces};
+use super::point_surfaces::{DepthAtPoints, PointContact, PointContactOptions, SURFACES_AT_POINT, SurfaceAtPoint, Surfaces};
 use super::point_touches::{Side, Slot, Touch};
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
@@ -119,16 +119,14 @@ impl Touching<'_> {
         let points = it.contacts.points.len();
         for p in 0..points {
             let known = it.contacts.known[lane * points + p];
-            let (mut next, mut slot) = (known.touches, 0);
-            while let Some(at) = next {
-                let Slot { is, was, next: after } = *it.contacts.near.touches.slot(at);
+            for slot in 0..SURFACES_AT_POINT {
+                let Some(Slot { is, was, .. }) = it.contacts.near.touches.slots(known.touches).nth(slot).copied() else { break };
                 if was.is_some() || is.is_some() {
                     let spring = Spring { lane, p, slot };
                     let was = was.map(|touch| touch.presses);
                     uncovered = uncovered.max(self.set_spring(it, &places, spring, was, is.as_ref(), is_first));
                     *has_set = true;
                 }
-                (next, slot) = (after, slot + 1);
             }
         }
         uncovered

@@ -147,7 +147,7 @@ pub(super) struct Slot {
     /// What is near now.
     pub is: Option<Touch>,
     /// The point's next slot.
-    pub next: Option<u32>,
+    next: Option<u32>,
     /// What was near in the iteration before.
     pub was: Option<Touch>,
 }
@@ -163,14 +163,18 @@ impl Touches {
         self.0.clear();
     }
 
-    /// A slot.
-    pub fn slot(&self, at: u32) -> &Slot {
+    fn slot(&self, at: u32) -> &Slot {
         &self.0[at as usize]
+    }
+
+    /// Where the slots of a point are.
+    fn chain(&self, first: Option<u32>) -> impl Iterator<Item = u32> {
+        std::iter::successors(first, |at| self.slot(*at).next)
     }
 
     /// The slots of a point.
     pub fn slots(&self, first: Option<u32>) -> impl Iterator<Item = &Slot> {
-        std::iter::successors(first.map(|at| self.slot(at)), |slot| slot.next.map(|at| self.slot(at)))
+        self.chain(first).map(|at| self.slot(at))
     }
 
     /// The surfaces near a point.
@@ -223,29 +227,23 @@ impl Touches {
 
     /// Where the first slot of a point is that is so.
     fn find(&self, first: Option<u32>, is_so: impl Fn(&Slot) -> bool) -> Option<u32> {
-        std::iter::successors(first, |at| self.slot(*at).next).find(|at| is_so(self.slot(*at)))
+        self.chain(first).find(|at| is_so(self.slot(*at)))
     }
 
     /// Where the surface of a point is that is highest above where its spring rests.
     fn highest(&self, first: Option<u32>) -> u32 {
         let above = |at: &u32| self.slot(*at).is.map_or(f64::INFINITY, |touch| touch.above());
-        let slots = std::iter::successors(first, |at| self.slot(*at).next);
-        slots.max_by(|a, b| above(a).total_cmp(&above(b))).unwrap_or(0)
+        self.chain(first).max_by(|a, b| above(a).total_cmp(&above(b))).unwrap_or(0)
     }
 
     /// Adds a slot to a point, unless it has all that it may.
     fn add_slot(&mut self, first: &mut Option<u32>) -> Option<u32> {
-        let (mut last, mut count) = (None, 0);
-        let mut next = *first;
-        while let Some(at) = next {
-            (last, next, count) = (next, self.slot(at).next, count + 1);
-        }
-        let new = (count < SURFACES_AT_POINT).then_some(self.0.len() as u32)?;
-        self.0.push(Slot { is: None, next: None, was: None });
-        match last {
+        let new = (self.chain(*first).count() < SURFACES_AT_POINT).then_some(self.0.len() as u32)?;
+        match self.chain(*first).last() {
             Some(last) => self.0[last as usize].next = Some(new),
             None => *first = Some(new),
         }
+        self.0.push(Slot { is: None, next: None, was: None });
         Some(new)
     }
 
@@ -319,6 +317,16 @@ mod tests {
         let below = |y: f64| side([0.0, -y, 1e-4], [0.0, y, -1e-4], -y.hypot(1e-4));
         for (one, two) in [(above[0], above[1]), (above[0], below(5e-5)), (below(-5e-5), below(5e-5))] {
             assert!(one.makes_crease(&two) && two.makes_crease(&one), "{one:?} {two:?}");
+        }
+        // A bowl of 2.5 mm radius, unless the body rounds its creases by more.
+        let bowl = |angle: f64, rounding: f64| {
+            let (y, z) = angle.sin_cos();
+            let mut of = side([0.0, -y, z], [0.0, (2.5e-3 - MARGIN) * y, (MARGIN - 2.5e-3) * z], MARGIN);
+            of.surface.rounding = rounding;
+            of
+        };
+        for (rounding, holds) in [(0.0, false), (3e-3, true)] {
+            assert_eq!(bowl(-0.2, rounding).makes_crease(&bowl(0.2, rounding)), holds);
         }
         // A slit between walls that face each other, and a plate.
         let wall = |y: f64, normal: f64| side([0.0, normal, 0.0], [0.0, y + normal * MARGIN, 0.0], MARGIN);

@@ -19,6 +19,8 @@ enum Groove {
     TwoGrids,
     Mesh,
     Grid,
+    /// With cells of 5 mm, of which its creases are bowls.
+    CoarseGrid,
 }
 
 impl Groove {
@@ -32,7 +34,8 @@ impl Groove {
             let (vertices, triangles) = prism(outline);
             Mesh::new(vertices, triangles, Sides::Solid).unwrap()
         };
-        let grid = |outline: &[(f64, f64)]| Shape::new_grid(DistanceGrid::bake(&mesh(outline), 2e-3, 0.01).unwrap());
+        let cell = if matches!(self, Self::CoarseGrid) { 5e-3 } else { 2e-3 };
+        let grid = |outline: &[(f64, f64)]| Shape::new_grid(DistanceGrid::bake(&mesh(outline), cell, 0.01).unwrap());
         let of_mesh = |outline: &[(f64, f64)]| {
             let (vertices, triangles) = prism(outline);
             Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap()
@@ -42,7 +45,7 @@ impl Groove {
             Self::TwoMeshes => vec![of_mesh(&left), of_mesh(&mirrored)],
             Self::TwoGrids => vec![grid(&left), grid(&mirrored)],
             Self::Mesh => vec![of_mesh(&whole)],
-            Self::Grid => vec![grid(&whole)],
+            Self::Grid | Self::CoarseGrid => vec![grid(&whole)],
         }
     }
 }
@@ -68,8 +71,12 @@ fn prism(outline: &[(f64, f64)]) -> (Vec<Vector3<f64>>, Vec<[u32; 3]>) {
 /// A strand falls into a groove between two bodies or in one, wherever it starts, and lies on its bottom.
 #[test]
 fn grooves_hold_a_strand() {
-    for groove in [Groove::TwoHalfSpaces, Groove::TwoMeshes, Groove::TwoGrids, Groove::Mesh, Groove::Grid] {
+    for groove in [Groove::TwoHalfSpaces, Groove::TwoMeshes, Groove::TwoGrids, Groove::Mesh, Groove::Grid, Groove::CoarseGrid] {
         for (steep, friction) in [(0.5, 0.0), (1.0, 0.0), (2.0, 0.0), (4.0, 0.0), (1.0, 0.3), (2.0, 0.3)] {
+            // (In a bowl that flat one start goes to and fro on the bottom, with steps that do not converge.)
+            if matches!(groove, Groove::CoarseGrid) && steep < 1.0 {
+                continue;
+            }
             let bodies: Vec<BodyDef> = groove.shapes(steep).into_iter().map(|shape| BodyDef::new(Arc::new(shape))).collect();
             for start in 0..if matches!(groove, Groove::TwoHalfSpaces) { 10 } else { 4 } {
                 let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
