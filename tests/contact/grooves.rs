@@ -73,12 +73,12 @@ fn prism(outline: &[(f64, f64)]) -> (Vec<Vector3<f64>>, Vec<[u32; 3]>) {
 fn grooves_hold_a_strand() {
     for groove in [Groove::TwoHalfSpaces, Groove::TwoMeshes, Groove::TwoGrids, Groove::Mesh, Groove::Grid, Groove::CoarseGrid] {
         for (steep, friction) in [(0.5, 0.0), (1.0, 0.0), (2.0, 0.0), (4.0, 0.0), (1.0, 0.3), (2.0, 0.3)] {
-            // (In a bowl that flat one start goes to and fro on the bottom, with steps that do not converge.)
-            if matches!(groove, Groove::CoarseGrid) && steep < 1.0 {
-                continue;
-            }
             let bodies: Vec<BodyDef> = groove.shapes(steep).into_iter().map(|shape| BodyDef::new(Arc::new(shape))).collect();
             for start in 0..if matches!(groove, Groove::TwoHalfSpaces) { 10 } else { 4 } {
+                // (In a bowl that flat, single precision goes to and fro on the bottom, with steps that do not converge.)
+                if matches!(groove, Groove::CoarseGrid) && steep < 1.0 && start == 3 {
+                    continue;
+                }
                 let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
                 options.contact.model = ContactModel::AtPoints;
                 options.step.precision = if start % 4 < 3 { Precision::F64 } else { Precision::F32 };
