@@ -9,7 +9,7 @@ use superhelix::internals::math::quadrature::Rules;
 use superhelix::internals::rod::kinematics::Kinematics;
 use superhelix::internals::rod::strand::StrandModel;
 use superhelix::internals::step;
-use superhelix::internals::step::members::One;
+use superhelix::internals::step::pack::members::One;
 use superhelix::internals::step::scratch::StepScratch;
 use superhelix::internals::step::state::{StrandState, rotation_matrix};
 use superhelix::internals::step::{Setting, Surroundings};

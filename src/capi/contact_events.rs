@@ -8,7 +8,7 @@ use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::types::{shx_body_id, shx_strand_id};
 use crate::memory;
-use crate::solver::contact_events::{Change, ContactEvent};
+use crate::solver::reading::contact_events::{Change, ContactEvent};
 
 /// The two had no contact at the end of the step before, and have one now.
 pub const SHX_CONTACT_EVENT_BEGIN: u32 = 1;

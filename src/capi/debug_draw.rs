@@ -11,7 +11,7 @@ use super::guard::{read, shx_solver};
 use super::output_transform::OutputTransform;
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result, check_finite};
-use crate::solver::debug_draw::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugVertex};
+use crate::solver::reading::debug_draw::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugVertex};
 
 /// Centrelines of strands: beige if the last substep converged, orange if it did not, red if the strand is
 /// quarantined, blue if it is frozen.

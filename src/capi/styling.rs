@@ -12,9 +12,9 @@ use super::types::{shx_constraint_id, shx_frame, shx_strand_id};
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
-use crate::solver::clips::ClipDef;
 use crate::solver::constraints::Hold;
-use crate::solver::heating::{HeatDef, HeatedShape};
+use crate::solver::shaping::clips::ClipDef;
+use crate::solver::shaping::heating::{HeatDef, HeatedShape};
 
 /// Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.
 #[repr(C)]

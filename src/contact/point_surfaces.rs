@@ -1,4 +1,4 @@
-//! The surfaces of bodies that a strand's quadrature points may touch, for contact at points (`step/point_contacts.rs`).
+//! The surfaces of bodies that a strand's quadrature points may touch, for contact at points (`step/at_points/contacts.rs`).
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::Surface;
 use crate::math::vector::Vec3;
-use crate::step::point_surfaces::{NEAR, NearestSurfaces, SurfaceAtPoint, Surfaces};
+use crate::step::at_points::surfaces::{NEAR, NearestSurfaces, SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;

@@ -31,7 +31,7 @@ use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::solver::contact_space::read_block;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
-use crate::step::constrained_step::{ConstrainedStep, WorldConstraint};
+use crate::step::constrained::step::{ConstrainedStep, WorldConstraint};
 
 /// Contacts closer than this along a strand, m, with normals within this cosine, are one.
 const ONE_PLACE: f64 = 1e-6;

@@ -4,7 +4,7 @@ use super::constrained_strand::ConstrainedStrand;
 use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
 use crate::contact::contact_point::StrandCurve;
 use crate::contact::narrow_phase::helix_distance::{Arc, closest};
-use crate::step::constrained_step::ConstrainedStep;
+use crate::step::constrained::step::ConstrainedStep;
 
 /// The largest number of moves from element to element.
 const MAX_HOPS: usize = 8;

@@ -8,9 +8,9 @@ use super::island::Island;
 use crate::memory::recycled;
 use crate::meter::Meter;
 use crate::step::Setting;
-use crate::step::constrained_packs::AnyPack;
-use crate::step::constrained_step::{ConstrainedStep, running};
-use crate::step::members::PackKey;
+use crate::step::constrained::packs::AnyPack;
+use crate::step::constrained::step::{ConstrainedStep, running};
+use crate::step::pack::members::PackKey;
 use crate::workers::WorkerSet;
 
 /// The largest number of strands of a pack.

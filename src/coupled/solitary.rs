@@ -12,7 +12,7 @@ use super::iterations::distribute_work;
 use super::packs::{MAX_LANES, Work, first_half, second_half, with_work};
 use crate::meter::Stopped;
 use crate::platform::Instant;
-use crate::step::constrained_step::running;
+use crate::step::constrained::step::running;
 use crate::step::options::Integrator;
 use crate::workers::WorkerSet;
 

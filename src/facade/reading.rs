@@ -5,8 +5,8 @@
 pub use crate::contact::constraint::law::coefficient::Coefficient as FrictionCoefficient;
 pub use crate::rod::uniform_points::{Lanes, Real, WIDTH};
 pub use crate::solver::contact_compliance::{BodyContact, ContactCompliance};
-pub use crate::solver::contact_events::{Change, ContactEvent, MAX_EVENTS};
-pub use crate::solver::debug_draw::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugLayer, DebugVertex};
+pub use crate::solver::reading::contact_events::{Change, ContactEvent, MAX_EVENTS};
+pub use crate::solver::reading::debug_draw::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugLayer, DebugVertex};
 pub use crate::solver::{
     LONGEST_STEP, RestoredOptions, Restoring, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile,
     Wanted,

@@ -1,4 +1,14 @@
 //! Bodies, which strands stay outside of.
+//!
+//! Files:
+//!
+//! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
+//! - `deep_places.rs`: Overlaps of strands with bodies and with each other in the current scene, independent of any step.
+//! - `overlaps.rs`: Overlaps of strands in the current scene, and permitted overlaps.
+
+pub(super) mod bringing_out;
+pub(super) mod deep_places;
+pub(super) mod overlaps;
 
 use std::sync::{Arc, OnceLock};
 

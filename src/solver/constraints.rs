@@ -1,4 +1,10 @@
 //! Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
+//!
+//! Files:
+//!
+//! - `ties.rs`: Which strands are tied together: their wisps give way to each other there.
+
+pub(super) mod ties;
 
 use nalgebra::Vector3;
 

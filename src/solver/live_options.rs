@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::definition::{SolverOptions, Workers};
-use super::strand::Strand;
+use super::strands::strand::Strand;
 use super::{Solver, check_vector};
 use crate::error::{Error, Result};
 use crate::step::state::History;

@@ -2,126 +2,63 @@
 //!
 //! Files:
 //!
-//! - `at_points.rs`: Contact at points: strands that only bodies may touch step side by side with others, and their contacts are taken down.
 //! - `attachment.rs`: Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
 //! - `bodies.rs`: Bodies, which strands stay outside of.
-//! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
-//! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
-//! - `clips.rs`: Clips: hold strands where they are in a box, and move with the box.
-//! - `constrained_substep.rs`: The substep of constrained strands.
 //! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
 //! - `contact_compliance.rs`: The response of strands to bodies in contact with them: contacts and near places, and the compliance between them.
-//! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
-//! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
-//! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
-//! - `deep_places.rs`: Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 //! - `definition.rs`: The options of a solver; strands: `StrandDef`.
-//! - `divergence.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
-//! - `editing.rs`: Edits strands: motions of roots, natural and current shapes, rest.
-//! - `fast_bodies.rs`: Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the whole scene.
-//! - `freezing.rs`: Frozen strands: a fixed style.
-//! - `heating.rs`: Heat: hair takes on its shape between hot plates or on a hot barrel.
 //! - `id.rs`: Checked identifiers: a slot, its generation, and a mark of the solver.
-//! - `jumps.rs`: Root jumps: roots that move farther within a call of `Solver::step` than their strand can follow.
-//! - `level_of_detail.rs`: Changes the number of elements of simulated strands.
 //! - `live_options.rs`: Options of a solver: read them, change them, and choose between two sets when restoring.
-//! - `materials.rs`: Materials of simulated strands: read, change, and stiffen as a shape requires.
-//! - `mirroring.rs`: Adds mirror images of strands.
-//! - `overlaps.rs`: Overlaps of strands in the current scene, and permitted overlaps.
-//! - `population.rs`: The population of strands: add, remove, list.
-//! - `posing.rs`: Poses simulated strands: drag a point, brush, change an element (`groom/pose.rs`).
 //! - `reading.rs`: Reads strands back: shapes, status, energies, samples.
-//! - `render_guides.rs`: A solver's strands as guides of render hair, and its bodies as obstacles.
 //! - `report.rs`: Reports of a step.
-//! - `restyling.rs`: Restyling: takes current shapes as natural shapes, as rest shapes under gravity, or as shapes to return to.
-//! - `sampling.rs`: Samples a strand's material points at any arclengths.
-//! - `scissors.rs`: Scissors: cut strands where a blade crosses them.
-//! - `sections.rs`: Sections that strands share: a new strand equal to one of the last few gets the same one.
-//! - `side_by_side.rs`: Steps the strands of one task: those with equal pack keys side by side in packs, the rest one by one.
 //! - `snapshot.rs`: Snapshots: a solver's state as bytes, little-endian, versioned and checksummed; the same image on every machine.
 //! - `stepping.rs`: Steps all strands through time and reports the results.
-//! - `strand.rs`: One strand of a solver: constants, state, the root's motion, and the result of the last step.
-//! - `targets.rs`: Targets: curves, of a rig for example, to which strands are drawn with a weight along their length.
-//! - `ties.rs`: Which strands are tied together: their wisps give way to each other there.
-//! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
-//! - `trimming.rs`: Cuts simulated strands and lets them grow.
-//! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
-//! - `workers.rs`: The workers of a step and their scratch memory.
+//! - `shaping/`: Shaping strands by hand: posing, cutting, heat, clips, frozen styles.
+//! - `strands/`: The strands of a scene: their definitions, materials and elements, the motion of their roots, and what draws them.
 
-mod at_points;
 pub mod attachment;
 pub mod bodies;
-mod bringing_out;
-mod bulk_sampling;
-pub mod clips;
-mod constrained_substep;
 pub mod constraints;
 pub mod contact_compliance;
-pub mod contact_events;
-mod crossing;
-pub mod debug_draw;
-mod deep_places;
 pub mod definition;
-mod divergence;
-pub(crate) mod editing;
-mod fast_bodies;
-mod freezing;
-pub mod heating;
 pub mod id;
-mod jumps;
-mod level_of_detail;
 mod live_options;
-mod materials;
-mod mirroring;
-mod overlaps;
-mod population;
-mod posing;
-mod reading;
-mod render_guides;
+pub mod reading;
 pub mod report;
-mod restyling;
-mod sampling;
-pub mod scissors;
-mod sections;
-mod side_by_side;
+pub mod shaping;
 mod snapshot;
 mod stepping;
-mod strand;
-mod targets;
-mod ties;
-mod trial_steps;
-mod trimming;
-mod wind;
-mod workers;
+mod strands;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::Vector3;
 
-pub use bulk_sampling::{SampleSink, Tile, Wanted};
+pub use bodies::overlaps::Overlap;
 pub use live_options::RestoredOptions;
-pub use materials::Stiffening;
-pub use overlaps::Overlap;
-pub use render_guides::SolverGuides;
-pub use sampling::Sample;
+pub use reading::bulk_sampling::{SampleSink, Tile, Wanted};
+pub use reading::render_guides::SolverGuides;
+pub use reading::sampling::Sample;
 pub use snapshot::{Restoring, SNAPSHOT_VERSION, SnapshotShapes};
+pub use stepping::wind::{WIND_BATCH, WindField};
 pub use stepping::{LONGEST_STEP, SHORTEST_STEP};
-pub use wind::{WIND_BATCH, WindField};
+pub use strands::materials::Stiffening;
 
 use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use crate::platform::Instant;
 use bodies::SceneBody;
-use constrained_substep::ConstrainedSubstep;
 use constraints::Constraint;
-use contact_events::ContactEvents;
 use definition::SolverOptions;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
-use sections::Sections;
+use reading::contact_events::ContactEvents;
 use stepping::BodiesAtWork;
-use strand::Strand;
-use workers::WorkerSet;
+use stepping::at_points;
+use stepping::constrained_substep::ConstrainedSubstep;
+use stepping::workers::WorkerSet;
+use strands::sections::Sections;
+use strands::strand::Strand;
 
 /// The scene: strands, bodies, constraints, gravity, wind, options.
 ///

@@ -1,12 +1,26 @@
 //! Reads strands back: shapes, status, energies, samples.
+//!
+//! Files:
+//!
+//! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
+//! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
+//! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
+//! - `render_guides.rs`: A solver's strands as guides of render hair, and its bodies as obstacles.
+//! - `sampling.rs`: Samples a strand's material points at any arclengths.
+
+pub(super) mod bulk_sampling;
+pub mod contact_events;
+pub mod debug_draw;
+pub(super) mod render_guides;
+pub(super) mod sampling;
 
 use super::Solver;
 use super::id::StrandId;
 use super::report::{Energies, Quadrature, StrandStatus, Wrench};
-use super::sampling::{Sample, Sampler};
-use super::strand::Strand;
+use super::strands::strand::Strand;
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
+use sampling::{Sample, Sampler};
 
 impl Solver {
     /// Lengths of a strand's elements from root to tip, m.

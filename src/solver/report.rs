@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-pub use super::constrained_substep::ContactTally;
+pub use super::stepping::constrained_substep::ContactTally;
 pub use crate::energy::Energies;
 pub use crate::meter::Stopped;
 

@@ -32,13 +32,13 @@ use nalgebra::Vector3;
 
 use super::Solver;
 use super::bodies::SceneBody;
-use super::constrained_substep::ConstrainedSubstep;
 use super::constraints::Constraint;
 use super::definition::{SolverOptions, UsualLimits, check_jump_acceleration};
 use super::id::{BodyId, ConstraintId, SlotMap, StrandId};
 use super::live_options::RestoredOptions;
-use super::sections::Sections;
-use super::strand::Strand;
+use super::stepping::constrained_substep::ConstrainedSubstep;
+use super::strands::sections::Sections;
+use super::strands::strand::Strand;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Shape;
 #[cfg(doc)]

@@ -1,19 +1,36 @@
 //! Steps all strands through time and reports the results.
+//!
+//! Files:
+//!
+//! - `at_points.rs`: Contact at points: strands that only bodies may touch step side by side with others, and their contacts are taken down.
+//! - `constrained_substep.rs`: The substep of constrained strands.
+//! - `divergence.rs`: Diverged strands: strands that a substep gave up before an iteration, carried over a jump of their root, or rolled back.
+//! - `fast_bodies.rs`: Fast bodies: substeps in which a body moves far among strands, or a strand swings far past a thin body, are subdivided for the whole scene.
+//! - `jumps.rs`: Root jumps: roots that move farther within a call of `Solver::step` than their strand can follow.
+//! - `side_by_side.rs`: Steps the strands of one task: those with equal pack keys side by side in packs, the rest one by one.
+//! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
+//! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
+//! - `workers.rs`: The workers of a step and their scratch memory.
+
+pub(super) mod at_points;
+pub(super) mod constrained_substep;
+pub(super) mod divergence;
+pub(super) mod fast_bodies;
+pub(super) mod jumps;
+pub(super) mod side_by_side;
+pub(super) mod trial_steps;
+pub(super) mod wind;
+pub(super) mod workers;
 
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use super::Solver;
-use super::at_points::{self, AtPoints, Results};
-use super::constrained_substep::{Account, ConstrainedSubstep, ContactTally, Overhead, Scene};
 use super::constraints::ConstraintStatus;
 use super::id::BodyId;
 use super::report::{Phases, StepReport, Wrench};
-use super::side_by_side::{self, Task};
-use super::strand::{Constrained, Tally, drawn_by};
-use super::trial_steps::Trials;
-use super::workers::WorkerScratch;
+use super::strands::strand::{Constrained, Tally, drawn_by};
 use crate::contact::body::Body;
 use crate::contact::body_at::BodyAt;
 use crate::contact::options::StrandContact;
@@ -22,7 +39,13 @@ use crate::memory::recycled;
 use crate::meter::{Meter, StepLimits, Stopped, usual_work};
 use crate::platform::{HAS_CLOCK, Instant};
 use crate::step::options::Integrator;
-use crate::step::{Setting, Surroundings, packs, subdivision};
+use crate::step::pack::packs;
+use crate::step::{Setting, Surroundings, subdivision};
+use at_points::{AtPoints, Results};
+use constrained_substep::{Account, ConstrainedSubstep, ContactTally, Overhead, Scene};
+use side_by_side::Task;
+use trial_steps::Trials;
+use workers::WorkerScratch;
 
 /// The shortest substep, s: below it the rounding of positions, divided by the square of the step, swamps every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;

@@ -1,6 +1,6 @@
 //! What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
 
-use super::members::Pack;
+use super::pack::members::Pack;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
 use crate::math::lane::MAX_LANES;

@@ -9,8 +9,8 @@
 use faer::{Mat, Side};
 use nalgebra::Vector3;
 
-use super::iterate::{Iterate, Problem};
 use super::newton;
+use super::newton::iterate::{Iterate, Problem};
 use super::options::StepOptions;
 use super::scratch::Bench;
 use super::state::rotation_matrix;

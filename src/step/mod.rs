@@ -2,92 +2,48 @@
 //!
 //! Files:
 //!
-//! - `constrained_pack.rs`: A pack of constrained strands: the work of `super::constrained_step` that is the same for all of them, side by side.
-//! - `constrained_packs.rs`: Packs of constrained strands, in registers of any width.
-//! - `constrained_single.rs`: A constrained strand that takes its step alone, an iteration at a time.
-//! - `constrained_step.rs`: The step of one constrained strand, one Newton iteration at a time.
 //! - `context.rs`: What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
-//! - `damping.rs`: Levenberg–Marquardt damping of the rotations in Newton's iteration: the parameter λ, N·m/rad, from iteration to iteration.
-//! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium of a strand under gravity: a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
-//! - `iterate.rs`: The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand between them.
-//! - `lane_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination includes them all.
-//! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
-//! - `linearly_implicit.rs`: The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its second-order terms.
-//! - `loaded.rs`: The numbers of a pack's strands in lanes, and their transfer into them and back.
-//! - `local_error.rs`: The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
-//! - `members.rs`: Packs: strands that take a step side by side, one per lane.
 //! - `newton.rs`: Newton's iteration on a strand's incremental potential.
 //! - `options.rs`: Options of a step: integrator, linear solve, tolerances.
-//! - `packs.rs`: The choice of lanes for a pack of strands: by precision, by the machine's instructions, and by the number of strands.
-//! - `point_contacts.rs`: Contact at the quadrature points.
-//! - `point_probes.rs`: Where the surfaces of bodies are about a strand's quadrature points (`point_contacts.rs`).
-//! - `point_springs.rs`: The springs that contact gives to the quadrature points (`point_contacts.rs`), in lanes.
-//! - `point_surfaces.rs`: What contact at points asks of the bodies' surfaces, and what it finds (`point_contacts.rs`).
-//! - `point_touches.rs`: The surfaces near a quadrature point (`point_contacts.rs`): of two bodies, or the two sides of a crease in one.
-//! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
-//! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //! - `regrid.rs`: Moves a strand to other elements while it is in motion: more of them near the camera, fewer far away.
 //! - `root_path.rs`: The root's smooth path through a step, with velocities and accelerations, from poses alone.
 //! - `root_velocity.rs`: The root's mean velocity over a step.
 //! - `scratch.rs`: The scratch memory of one worker: a workspace for each type of lanes, empty until first used.
-//! - `single.rs`: Steps of one strand at a time, for strands outside any pack.
-//! - `stages.rs`: Runge–Kutta steps as minimisations.
 //! - `state.rs`: The state of a strand: what a step changes.
-//! - `stretch.rs`: How far a damped iteration of a constrained strand goes along its direction.
 //! - `subdivision.rs`: Subdivision: a strand whose step does not converge, turns non-finite or errs by more than permitted takes it in substeps.
-//! - `tableau.rs`: Singly diagonally implicit Runge–Kutta methods, stiffly accurate and L-stable, that share one Newton.
-//! - `target_lanes.rs`: The targets of a pack's strands in lanes: what draws each quadrature point at the end of a stage.
-//! - `whole.rs`: A step in one piece for strands side by side: computed in the workspace, and made their state only on demand.
 //! - `workspace.rs`: The scratch memory of a step, one per worker, kept between strands and steps so that nothing is allocated once it has grown.
+//! - `at_points/`: Contact at points: the surfaces of bodies near a strand's quadrature points, and the springs that hold the points outside.
+//! - `constrained/`: The step of strands that constraints act on, an iteration at a time.
+//! - `integrator/`: Integrators: one method of time stepping a file, and what they share.
+//! - `pack/`: Strands that take a step side by side, one per lane of a pack.
 
-pub mod constrained_pack;
-pub mod constrained_packs;
-pub mod constrained_single;
-pub mod constrained_step;
+pub mod at_points;
+pub mod constrained;
 pub mod context;
-pub mod damping;
-pub mod dynamics;
 pub mod equilibrium;
-pub mod iterate;
-mod lane_loads;
-mod line_search;
-pub mod linearly_implicit;
-pub mod loaded;
-pub mod local_error;
-pub mod members;
+pub mod integrator;
 pub mod newton;
 pub mod options;
-pub mod packs;
-pub mod point_contacts;
-mod point_probes;
-pub mod point_springs;
-pub mod point_surfaces;
-mod point_touches;
-pub mod radau;
-pub mod reference;
+pub mod pack;
 pub mod regrid;
 pub mod root_path;
 pub mod root_velocity;
 pub mod scratch;
-pub mod single;
-pub mod stages;
 pub mod state;
-mod stretch;
 pub mod subdivision;
-pub mod tableau;
-pub mod target_lanes;
-pub mod whole;
 pub mod workspace;
 
 use crate::energy::Energies;
 use crate::math::lane::{Lane, Precision};
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
-use members::{One, Pack};
+use integrator::reference;
 use options::{Integrator, StepOptions};
+use pack::members::{One, Pack};
+use pack::single::Single;
+use pack::whole;
 use scratch::{Bench, StepScratch};
-use single::Single;
 use state::RuleScratch;
 use workspace::Workspace;
 

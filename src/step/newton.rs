@@ -11,17 +11,27 @@
 //! rotation) and solves the system again, which holds back a mode of negative curvature. It shortens a direction that turns an
 //! element by more than the limit, and damps one that turns it far beyond. It halves the step length until the potential falls
 //! enough (Armijo's condition). The minimum is the result of the time step. `docs/theory/newton.md` measures the effect of each.
+//!
+//! Files:
+//!
+//! - `damping.rs`: Levenberg–Marquardt damping of the rotations in Newton's iteration: the parameter λ, N·m/rad, from iteration to iteration.
+//! - `iterate.rs`: The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand between them.
+//! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
+
+pub mod damping;
+pub mod iterate;
+pub(super) mod line_search;
 
 use super::StrandOutcome;
-use super::damping::Damping;
-use super::iterate::{Iterate, Problem, evaluate_accepted, forces, place_accepted, place_compensation, predict_tension};
-use super::line_search::{self, LineSearch, Merit, lanes};
+use super::at_points::contacts::{CONTACT_TOLERANCE, Touching};
 use super::options::{LinearSolver, StepOptions};
-use super::point_contacts::{CONTACT_TOLERANCE, Touching};
 use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{Direction, LinearSolve};
 use crate::math::lane::{Lane, MAX_LANES, Precision};
+use damping::Damping;
+use iterate::{Iterate, Problem, evaluate_accepted, forces, place_accepted, place_compensation, predict_tension};
+use line_search::{LineSearch, Merit, lanes};
 
 /// A direction that would turn an element by more than this many limits is damped, not only shortened.
 const SHORTENED_AT_MOST: f64 = 20.0;

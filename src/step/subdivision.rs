@@ -6,10 +6,10 @@
 //! Substeps are counted in ticks, the shortest substep permitted. A substep may double where its start is a multiple of the
 //! double, so that the last one ends with the step.
 
-use super::members::One;
 use super::options::{Integrator, StepOptions};
+use super::pack::members::One;
+use super::pack::single::Single;
 use super::scratch::Bench;
-use super::single::Single;
 use super::state::{RuleScratch, StrandState};
 use super::{Setting, StrandOutcome, keep};
 use crate::rod::target::TargetAt;

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::iterate::Iterate;
-use super::loaded::Loaded;
-use super::point_surfaces::PointContact;
-use super::tableau::MAX_STAGES;
+use super::at_points::surfaces::PointContact;
+use super::integrator::tableau::MAX_STAGES;
+use super::newton::iterate::Iterate;
+use super::pack::loaded::Loaded;
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES};
 use crate::math::vector::Vec3;

@@ -79,7 +79,7 @@ fn constrained_points_follow_their_targets() {
 }
 
 /// Strands of 4 to 15 elements, each held at its tip, led to where it is slack by 3 to 40 % and turned meanwhile, and back. Under pressure a
-/// strand's own matrix is indefinite: without the bilateral constraints' springs in it (`step/constrained_step.rs`) 64 of the 21600 steps of all sixty strands do not
+/// strand's own matrix is indefinite: without the bilateral constraints' springs in it (`step/constrained/step.rs`) 64 of the 21600 steps of all sixty strands do not
 /// hold, and 357 do not converge. Now all do but those of strand 12, whose four elements cannot take the shape, in however many iterations.
 /// `CLAMPS_ALL=1` takes all sixty.
 #[test]

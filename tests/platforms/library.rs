@@ -57,5 +57,5 @@ pub extern "C" fn contact_found(course: u32) -> u64 {
 /// Lanes of f64 that the best instructions of this machine have: 1 says that there are none.
 #[unsafe(no_mangle)]
 pub extern "C" fn lanes_of_f64() -> u32 {
-    superhelix::internals::step::packs::width(superhelix::Precision::F64, InstructionSet::detected()) as u32
+    superhelix::internals::step::pack::packs::width(superhelix::Precision::F64, InstructionSet::detected()) as u32
 }

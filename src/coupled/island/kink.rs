@@ -11,7 +11,7 @@ use crate::contact::options::ContactOptions;
 use crate::coupled::constrained_strand::{ConstrainedStrand, Strands};
 use crate::math::trigonometry::sine_cosine;
 use crate::step::Setting;
-use crate::step::constrained_packs::AnyPack;
+use crate::step::constrained::packs::AnyPack;
 
 /// A point cannot yield along a direction in which its response is less than this fraction of its trace.
 const STUCK: f64 = 1e-9;

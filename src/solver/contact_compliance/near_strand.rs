@@ -14,11 +14,11 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::solver::bodies::ContactPartner;
 use crate::solver::constraints::{ConstraintStatus, material_point_at};
-use crate::solver::strand::{Strand, drawn_by, root_after};
+use crate::solver::strands::strand::{Strand, drawn_by, root_after};
 use crate::step::Setting;
-use crate::step::constrained_single::ConstrainedSingle;
-use crate::step::constrained_step::ConstrainedStep;
-use crate::step::members::One;
+use crate::step::constrained::single::ConstrainedSingle;
+use crate::step::constrained::step::ConstrainedStep;
+use crate::step::pack::members::One;
 use crate::step::state::{StrandState, rotation_matrix};
 
 /// A place near a contact under pressure is no contact of its own if it is within this distance of it along the strand, m, and

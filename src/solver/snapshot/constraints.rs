@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::math::pose_motion::PoseMotion;
 use crate::solver::constraints::{Constraint, ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, SlotMap, StrandId};
-use crate::solver::strand::Strand;
+use crate::solver::strands::strand::Strand;
 
 impl Writer {
     /// All constraints, their strands by index; `id` writes the end of each.

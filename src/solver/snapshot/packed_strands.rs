@@ -11,11 +11,11 @@ use crate::math::vector::Vec3;
 use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
-use crate::solver::freezing::Frozen;
 use crate::solver::id::StrandId;
 use crate::solver::report::Energies;
-use crate::solver::sections::Sections;
-use crate::solver::strand::{Constrained, Strand, SubstepResult};
+use crate::solver::shaping::freezing::Frozen;
+use crate::solver::strands::sections::Sections;
+use crate::solver::strands::strand::{Constrained, Strand, SubstepResult};
 use crate::step::state::{History, StrandState};
 
 /// What a strand's first word says.

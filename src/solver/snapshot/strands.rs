@@ -3,10 +3,10 @@
 use super::bytes::{Reader, Writer, bad};
 use crate::error::Result;
 use crate::math::vector::Vec3;
-use crate::solver::divergence::{Divergence, DivergenceState};
-use crate::solver::freezing::Known;
 use crate::solver::id::BodyId;
-use crate::solver::strand::{Authored, Strand};
+use crate::solver::shaping::freezing::Known;
+use crate::solver::stepping::divergence::{Divergence, DivergenceState};
+use crate::solver::strands::strand::{Authored, Strand};
 use crate::step::state::{Earlier, History};
 
 /// Marks a frozen strand.

@@ -11,7 +11,7 @@ use crate::contact::constraint::law::response::Response;
 use crate::contact::constraint::law::ring::Ring;
 use crate::contact::options::{self, ContactModel, ContactOptions, StrandContact};
 use crate::math::vector::Mat3;
-use crate::step::constrained_step::WorldConstraint;
+use crate::step::constrained::step::WorldConstraint;
 
 impl StepConstraint {
     /// The law, and the relative displacement at the present iterate. `contact`: contact properties of the strands at both

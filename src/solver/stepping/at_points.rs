@@ -1,0 +1,162 @@
+//! Contact at points: strands that only bodies may touch step side by side with others, and their contacts are taken down.
+
+use nalgebra::Vector3;
+
+use super::constrained_substep::{ConstrainedSubstep, ContactTally};
+use crate::contact::body_at::BodyAt;
+use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
+use crate::contact::permitted_overlap::PermittedOverlap;
+use crate::contact::point_surfaces::StrandSurfaces;
+use crate::math::lane::MAX_LANES;
+use crate::solver::bodies::{Contact, ContactPartner};
+use crate::solver::id::{BodyId, SlotMap, StrandId};
+use crate::solver::report::Wrench;
+use crate::solver::strands::strand::{Constrained, Strand};
+use crate::step::at_points::surfaces::{DepthAtPoints, PointContact, PointContactOptions};
+
+/// A contact of a strand.
+pub(super) type Found = (StrandId, PointContact);
+
+/// What a task's strands may touch in a substep, and what they have touched.
+pub(super) struct AtPoints<'a> {
+    pub bodies: &'a [BodyAt<'a>],
+    pub options: PointContactOptions,
+    /// A root that is deeper than this counts as inside, m.
+    pub tolerance: f64,
+    pub found: &'a mut Touched,
+}
+
+/// Contacts at the end of a substep.
+#[derive(Debug, Default)]
+pub(in crate::solver) struct Touched {
+    pub contacts: Vec<Found>,
+    /// The deepest overlap, m; zero for none.
+    pub depth: f64,
+    /// Strands whose root is in a body.
+    pub roots_inside: u32,
+    /// Memory for the bodies near a pack's strands.
+    near: Vec<u32>,
+}
+
+/// The bodies near a pack's strands, by lane.
+#[derive(Debug, Default)]
+pub(super) struct NearBodies {
+    all: Vec<u32>,
+    ends: [usize; MAX_LANES],
+}
+
+impl Touched {
+    /// Whether nothing was touched.
+    pub fn is_empty(&self) -> bool {
+        self.contacts.is_empty() && self.depth == 0.0 && self.roots_inside == 0
+    }
+
+    /// Takes over those of a task.
+    pub fn take(&mut self, task: &mut Self) {
+        self.contacts.append(&mut task.contacts);
+        self.depth = self.depth.max(std::mem::take(&mut task.depth));
+        self.roots_inside += std::mem::take(&mut task.roots_inside);
+    }
+}
+
+impl<'a> AtPoints<'a> {
+    /// Finds the bodies near the strands of a pack.
+    pub fn find_near<'s>(&mut self, strands: impl Iterator<Item = &'s Strand>, h: f64) -> NearBodies {
+        let mut near = NearBodies { all: std::mem::take(&mut self.found.near), ..NearBodies::default() };
+        near.all.clear();
+        for (lane, strand) in strands.enumerate() {
+            if let Some(contact) = strand.contact.as_deref() {
+                let around = strand.reach(contact, &strand.root_during(h));
+                let bodies = self.bodies.iter().filter(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
+                near.all.extend(bodies.map(|body| body.index));
+            }
+            near.ends[lane] = near.all.len();
+        }
+        near
+    }
+
+    /// Keeps the list's memory.
+    pub fn give_back(&mut self, near: NearBodies) {
+        self.found.near = near.all;
+    }
+
+    /// What a strand of the pack may touch.
+    pub fn surfaces_of<'s>(
+        &self,
+        near: &'s NearBodies,
+        lane: usize,
+        contact: Option<&'s StrandContact>,
+        permitted_overlap: Option<&'s PermittedOverlap>,
+    ) -> Option<StrandSurfaces<'s>>
+    where
+        Self: 's,
+    {
+        let from = if lane > 0 { near.ends[lane - 1] } else { 0 };
+        Some(StrandSurfaces { bodies: self.bodies, near: &near.all[from..near.ends[lane]], contact: contact?, permitted_overlap })
+    }
+
+    /// Takes down how deep a strand is.
+    pub fn take_depth(&mut self, depth: DepthAtPoints) {
+        self.found.depth = self.found.depth.max(depth.deepest);
+        self.found.roots_inside += u32::from(depth.root > self.tolerance);
+    }
+
+    /// Takes down a contact.
+    pub fn take_contact(&mut self, strand: &mut Strand, contact: &PointContact) {
+        strand.touched = true;
+        self.found.contacts.push((strand.id, *contact));
+    }
+}
+
+/// How contact at points is answered in a substep of `h` seconds, if it is.
+pub(super) fn options(options: &ContactOptions, h: f64) -> Option<PointContactOptions> {
+    let ContactOptions { tolerance, separation_speed, max_iterations, .. } = *options;
+    let (holding_depth, separation) = (2.0 * tolerance, separation_speed * h);
+    let at_points = options.model == ContactModel::AtPoints;
+    at_points.then_some(PointContactOptions { holding_depth, separation, max_iterations })
+}
+
+/// Before a substep: strands have touched nothing in it.
+pub(super) fn begin(strands: &mut [Strand]) {
+    for strand in strands.iter_mut().filter(|strand| strand.constrained == Constrained::AtPoints) {
+        strand.touched = false;
+    }
+}
+
+/// Where the results are written.
+pub(in crate::solver) struct Results<'a> {
+    pub contacts: &'a mut ConstrainedSubstep,
+    pub wrenches: &'a mut [Wrench],
+    pub tally: &'a mut ContactTally,
+}
+
+impl Touched {
+    /// Adds the contacts of a substep to its results, in the order of the strands, and forgets them.
+    pub fn report(&mut self, slots: &SlotMap<StrandId>, bodies: &[BodyAt], ids: &[BodyId], results: Results) {
+        let Results { contacts, wrenches, tally } = results;
+        tally.penetration = tally.penetration.max(std::mem::take(&mut self.depth));
+        tally.contacts += self.contacts.len() as u32;
+        tally.roots_inside += std::mem::take(&mut self.roots_inside);
+        let place = |(strand, contact): &Found| (slots.index(*strand), contact.arclength);
+        self.contacts.sort_by(|a, b| {
+            let ((a, along_a), (b, along_b)) = (place(a), place(b));
+            a.cmp(&b).then(along_a.total_cmp(&along_b))
+        });
+        for (strand, PointContact { arclength, position, surface, force, slip }) in self.contacts.drain(..) {
+            let (position, force) = (Vector3::from(position), Vector3::from(force));
+            let body = surface.body as usize;
+            wrenches[body].force -= force;
+            wrenches[body].torque -= (position - bodies[body].end.origin).cross(&force);
+            contacts.add_contact(Contact {
+                strand,
+                arclength,
+                partner: ContactPartner::Body { body: ids[body], feature: surface.feature },
+                position,
+                normal: surface.normal.into(),
+                force,
+                gap: surface.gap,
+                slip: slip.into(),
+            });
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Contact at points: the surfaces of bodies near a strand's quadrature points, and the springs that hold the points outside.
+//!
+//! Files:
+//!
+//! - `contacts.rs`: Contact at the quadrature points.
+//! - `probes.rs`: Where the surfaces of bodies are about a strand's quadrature points (`contacts.rs`).
+//! - `springs.rs`: The springs that contact gives to the quadrature points (`contacts.rs`), in lanes.
+//! - `surfaces.rs`: What contact at points asks of the bodies' surfaces, and what it finds (`contacts.rs`).
+//! - `touches.rs`: The surfaces near a quadrature point (`contacts.rs`): of two bodies, or the two sides of a crease in one.
+
+pub mod contacts;
+pub(super) mod probes;
+pub mod springs;
+pub mod surfaces;
+pub(super) mod touches;
