@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use superhelix::{InstructionSet, Precision, Solver, SolverOptions, StrandDef};
 use superhelix::internals::chain::elimination::Elimination;
 use superhelix::internals::chain::system::{ChainSystem, LinearSolve};
-use superhelix::internals::math::entire::Stumpff;
+use superhelix::internals::math::functions::entire::Stumpff;
 use superhelix::internals::math::lane::Lane;
 use superhelix::internals::math::quadrature::Rules;
 use superhelix::internals::math::vector::{Mat3, Vec3};

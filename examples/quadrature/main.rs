@@ -1,5 +1,5 @@
 //! Quadrature errors: the largest turn of an element for each rule and tolerance (`angles`, the table in
-//! src/math/quadrature_limits.rs), and what a tolerance adds to the error of motions (`motions`). The tables of
+//! src/math/quadrature/quadrature_limits.rs), and what a tolerance adds to the error of motions (`motions`). The tables of
 //! docs/theory/mathematics.md.
 //!
 //! `cargo run --release --example quadrature -- angles docs/figures/quadrature_angles.csv`

@@ -7,12 +7,18 @@
 //! parameter is critical: at a fold the curve turns back, at a bifurcation it meets another one, which [`switch`] goes over to.
 //!
 //! Lengths along the curve: (ds)² = L ∫ |dκ|² ds (rad², of the order of the strand's turning) + (dλ/range)².
+//!
+//! Files:
+//!
+//! - `system.rs`: The equations that `analysis::branch` follows: gradient, Hessian and load of a strand's static potential in scaled unknowns.
+
+pub(super) mod system;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::branch_system::{Corrected, State, System};
 use crate::error::{Error, Result, check_finite};
 use crate::rod::definition::StrandDef;
+use system::{Corrected, State, System};
 
 /// What a strand bears: gravity, and how its root is turned.
 ///

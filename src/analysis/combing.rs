@@ -9,7 +9,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use crate::contact::body::BodyDef;
 use crate::contact::shape::Shape;
 use crate::error::{Error, Result, check_positive};
-use crate::groom::hair_handle::HairHandle;
+use crate::groom::hair::hair_handle::HairHandle;
 use crate::math::frame::Frame;
 use crate::solver::Solver;
 use crate::solver::definition::{SolverOptions, StrandDef};
@@ -185,7 +185,7 @@ impl CombingTest {
         Ok(curve)
     }
 
-    fn strand(&self, k: u32, hair: &crate::groom::hair_parameters::HairParameters) -> StrandDef {
+    fn strand(&self, k: u32, hair: &crate::groom::hair::hair_parameters::HairParameters) -> StrandDef {
         let count = self.elements as usize;
         let mut def = StrandDef::straight(self.length, count);
         def.natural = vec![hair.natural; count];

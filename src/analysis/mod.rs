@@ -4,7 +4,6 @@
 //! Files:
 //!
 //! - `branch.rs`: Follows a static equilibrium of one strand while its load changes: a stronger weight, a turning clamp.
-//! - `branch_system.rs`: The equations that `analysis::branch` follows: gradient, Hessian and load of a strand's static potential in scaled unknowns.
 //! - `combing.rs`: A standard combing experiment: force against stroke.
 //! - `elements.rs`: How many elements a strand needs for a tolerance in metres.
 //! - `friction_fit.rs`: Friction coefficients from a recorded motion, as Bertails et al. 2006 choose them (section 4.2).
@@ -17,7 +16,6 @@
 //! - `suggestion.rs`: From an error that may be made to the cheapest settings that were measured to make no more.
 
 pub mod branch;
-mod branch_system;
 pub mod combing;
 pub mod elements;
 pub mod friction_fit;

@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::point_spline::PointSpline;
-use crate::math::pose_spline::PoseSpline;
+use crate::math::splines::point_spline::PointSpline;
+use crate::math::splines::pose_spline::PoseSpline;
 
 /// What a recorded number says about the strand. c is the chord from root to tip, ĝ the direction of gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]

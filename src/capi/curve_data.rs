@@ -12,7 +12,7 @@ use super::types::{MAX_COUNT, shx_input};
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result, check_finite};
 use crate::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
-use crate::files::tfx::{self, TfxVersion};
+use crate::files::strands::tfx::{self, TfxVersion};
 
 /// Thickness (diameter), one float per point, file units.
 pub const SHX_CURVE_ATTRIBUTE_THICKNESS: u32 = 1;

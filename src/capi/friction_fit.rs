@@ -15,7 +15,7 @@ use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::analysis::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
 use crate::analysis::recording::{Observable, Recording, RootMotion};
 use crate::error::{Error, Result};
-use crate::math::pose_spline::PoseSpline;
+use crate::math::splines::pose_spline::PoseSpline;
 
 /// Distance from root to tip, m.
 pub const SHX_OBSERVABLE_SPAN: u32 = 1;

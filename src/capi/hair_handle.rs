@@ -10,8 +10,8 @@ use super::hair_type::shx_hair_type;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::analysis::combing::CombingTest;
 use crate::error::{Error, Result};
-use crate::groom::hair_handle::HairHandle;
-use crate::groom::hair_type::HairType;
+use crate::groom::hair::hair_handle::HairHandle;
+use crate::groom::hair::hair_type::HairType;
 
 /// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry,
 /// bending and friction. Fill it with shx_hair_handle_init or shx_hair_handle_from_name.

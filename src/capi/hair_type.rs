@@ -11,9 +11,9 @@ use super::solver_def::check_reserved;
 use super::types::MAX_COUNT;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
-use crate::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use crate::groom::hair_type::{HairType, MeasuredHair};
-use crate::groom::variation::Variation;
+use crate::groom::hair::hair_parameters::{CurlFormula, HairParameters, Sliders};
+use crate::groom::hair::hair_type::{HairType, MeasuredHair};
+use crate::groom::hair::variation::Variation;
 
 /// Natural curvatures are those of the measured helix.
 pub const SHX_CURL_EXACT: u32 = 0;

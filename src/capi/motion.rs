@@ -5,7 +5,7 @@ use super::errors::shx_result;
 use super::guard::call;
 use super::types::{SHX_FORMAT_FRAME, shx_input, shx_output};
 use crate::error::{Error, Result, check_finite};
-use crate::math::pose_spline::PoseSpline;
+use crate::math::splines::pose_spline::PoseSpline;
 use crate::memory;
 
 /// The engine's error, with the names of the C function.

@@ -10,7 +10,7 @@ use super::guard::{shx_solver, write};
 use super::types::shx_body_id;
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::Error;
-use crate::groom::outside::BroughtOut;
+use crate::groom::curves::outside::BroughtOut;
 use crate::solver::id::BodyId;
 
 /// Curves to push out of a body. Fill it with shx_push_out_def_init,

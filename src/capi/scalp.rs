@@ -12,7 +12,7 @@ use super::solver_def::check_reserved;
 use super::types::{SHX_FORMAT_FRAME, shx_input, shx_output};
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
-use crate::groom::guide_roots::GuideRoots;
+use crate::groom::curves::guide_roots::GuideRoots;
 use crate::groom::scalp::{Amount, Density, Follicle, Jitter, RootRegion, Scalp, ScatterOptions};
 
 /// A triangle mesh at rest that carries follicles. shx_scalp_create makes it, you own it, shx_scalp_destroy

@@ -12,7 +12,7 @@ use super::types::{shx_input, shx_strand_id};
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::memory;
-use crate::rod::target_def::TargetDef;
+use crate::rod::target::definition::TargetDef;
 
 /// Curves to which strands are drawn. Fill it with shx_target_def_init, then set curve_count and points. The
 /// library reads the arrays during the call only.

@@ -8,7 +8,7 @@ use super::guard::call;
 use super::materials::shx_material;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
-use crate::groom::wisp::Wisp;
+use crate::groom::hair::wisp::Wisp;
 
 /// A wisp: the hairs that one guide represents, which lie and move together. Fill it with shx_wisp_init.
 #[repr(C)]

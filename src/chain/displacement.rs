@@ -1,6 +1,6 @@
 //! Displacements of the points to first order in a change of the curvatures, J δκ: one pass from root to tip.
 
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, Kinematics};

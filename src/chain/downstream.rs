@@ -2,7 +2,7 @@
 //!
 //! It works on plain numbers and whole blocks. The time step's own elimination packs symmetric blocks and works on lanes.
 
-use super::reduced::Reduced;
+use super::elimination::reduced::Reduced;
 use crate::math::vector::{Mat3, Vec3};
 
 /// What lies downstream of a node, as seen from there: `[A B; Bᵀ C]` and its pull.

@@ -6,16 +6,26 @@
 //! lies downstream acts on the right end as a quadratic ½ uᵀPu − pᵀu, `P = [A B; Bᵀ C]`; F and M are the sum of the forces
 //! downstream and their moment about the right end. A point with stiffness k and force f at x moves by ρ + ψ×x + J_x δκ. The
 //! exact Hessian adds tension: the second variations of x and of the right end, weighted by −f, −F, −M.
+//!
+//! Files:
+//!
+//! - `assembly.rs`: What an element is to its left end: everything downstream, its own points and its loads, and what its free curvatures meet.
+//! - `pivot.rs`: The small symmetric pivots of the elimination: Cholesky's factorisation, and a repair for one that is not positive definite.
+//! - `reduced.rs`: An element's freedoms once they are eliminated, and their changes from the left end's: the forward and the back substitution of the solves.
 
-use super::assembly::{Downstream, columns};
+pub(super) mod assembly;
+pub mod pivot;
+pub(crate) mod reduced;
+
 use super::axes::{axes, for_axes};
 use super::load::Load;
-use super::reduced::Reduced;
 use super::system::{ChainSystem, Direction, LinearSolve};
 use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::{ElementState, Kinematics};
 use crate::rod::segment;
+use assembly::{Downstream, columns};
+use reduced::Reduced;
 
 /// What the second pass needs from an element with D free curvatures.
 #[derive(Debug, Clone, Copy)]

@@ -5,7 +5,7 @@
 //! Symbols: s is the arclength on the element; x the loaded point, its lever l included, in the axes of the element's left end; J
 //! its variation by δκ, J = J_s + (Ψ_s ·)×l.
 
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;

@@ -2,7 +2,6 @@
 //!
 //! Files:
 //!
-//! - `assembly.rs`: What an element is to its left end: everything downstream, its own points and its loads, and what its free curvatures meet.
 //! - `axes.rs`: The free curvatures as a compile-time constant of the kernels: a kernel computes nothing for a frozen curvature.
 //! - `delassus.rs`: The Delassus operator of a strand, J H⁻¹ Jᵀ: how far its loaded material points move under forces at them.
 //! - `dense.rs`: The dense reference: the whole 3N×3N matrix, assembled from Jacobians and second derivatives.
@@ -11,12 +10,9 @@
 //! - `elimination.rs`: The linear-time solve: elimination from tip to root, then one pass from root to tip.
 //! - `force.rs`: Generalised forces of forces on the points, f = Σ Jᵀ f_p: one pass from tip to root.
 //! - `load.rs`: Loads at material points: forces between the quadrature points, or at the end of a rigid lever, from contacts and constraints.
-//! - `pivot.rs`: The small symmetric pivots of the elimination: Cholesky's factorisation, and a repair for one that is not positive definite.
-//! - `reduced.rs`: An element's freedoms once they are eliminated, and their changes from the left end's: the forward and the back substitution of the solves.
 //! - `response.rs`: The direction that forces at material points add to an eliminated system: one pass from the points to the root and one back, in linear time.
 //! - `system.rs`: The quadratic model of one strand that the linear solves share: springs and forces at the quadrature points and at the curvatures.
 
-mod assembly;
 pub(crate) mod axes;
 pub mod delassus;
 pub mod dense;
@@ -25,7 +21,5 @@ pub(crate) mod downstream;
 pub mod elimination;
 pub mod force;
 pub mod load;
-pub mod pivot;
-pub(crate) mod reduced;
 pub mod response;
 pub mod system;

@@ -8,7 +8,7 @@ use super::body_at::BodyAt;
 use super::shape::{Bounds, Mesh, Shape};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::pose_motion::PoseMotion;
+use crate::math::frame::pose_motion::PoseMotion;
 
 /// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
 ///

@@ -48,7 +48,7 @@ impl StrandCurve<'_> {
         let element = &self.elements[element];
         let theta = element.kappa.scale(s);
         let z = element.kappa_squared * (s * s);
-        let frame = crate::rod::segment::frame(theta, z, &crate::math::entire::Stumpff::at(z));
+        let frame = crate::rod::segment::frame(theta, z, &crate::math::functions::entire::Stumpff::at(z));
         Vector3::from(element.frame_left.apply(Vec3([frame.0[0][0], frame.0[1][0], frame.0[2][0]])))
     }
 }

@@ -30,7 +30,7 @@ pub use crate::groom::pose::{
 };
 pub use crate::groom::stability::{Stability, Stiffening, stability_under_gravity};
 pub use crate::math::rotation::PoseMove;
-pub use crate::rod::target_def::TargetDef;
+pub use crate::rod::target::definition::TargetDef;
 pub use crate::rod::turning::{Coarse, LARGEST_TURN, Shapes, coarse_strands, largest_turn};
 pub use crate::solver::Overlap;
 pub use crate::solver::attachment::Attachment;

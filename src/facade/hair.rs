@@ -26,20 +26,20 @@
 //! # Ok::<(), superhelix::Error>(())
 //! ```
 
-pub use crate::groom::apart::{MovedApart, move_apart};
-pub use crate::groom::drawn::{DrawnCurve, GroomStrand, NaturalShape};
+pub use crate::groom::curves::apart::{MovedApart, move_apart};
+pub use crate::groom::curves::drawn::{DrawnCurve, GroomStrand, NaturalShape};
+pub use crate::groom::curves::guide_choice::{ChoiceWay, GuideCandidates, GuideChoice, Represented};
+pub use crate::groom::curves::guide_roots::GuideRoots;
+pub use crate::groom::curves::outside::{BroughtOut, bring_out};
+pub use crate::groom::curves::rooting::{Rooted, root_on};
+pub use crate::groom::curves::usable::{LeftOut, Unusable, remove_duplicates, turn_around, usable_curves};
 pub use crate::groom::fit::bulk::{fit_curves, fit_each};
 pub use crate::groom::fit::{
     ElementLengths, Fit, FitCurve, FitOptions, FitRoot, FitScratch, MAX_STARTS, fit_curve, fit_polyline,
 };
-pub use crate::groom::guide_choice::{ChoiceWay, GuideCandidates, GuideChoice, Represented};
-pub use crate::groom::guide_roots::GuideRoots;
-pub use crate::groom::hair_handle::HairHandle;
-pub use crate::groom::hair_parameters::{CurlFormula, HairParameters, Sliders, curled_shape};
-pub use crate::groom::hair_type::{DISCIPLINED_DRAG, FUZZY_DRAG, HairType, MeasuredHair, youngs_modulus_from_bending};
-pub use crate::groom::outside::{BroughtOut, bring_out};
+pub use crate::groom::hair::hair_handle::HairHandle;
+pub use crate::groom::hair::hair_parameters::{CurlFormula, HairParameters, Sliders, curled_shape};
+pub use crate::groom::hair::hair_type::{DISCIPLINED_DRAG, FUZZY_DRAG, HairType, MeasuredHair, youngs_modulus_from_bending};
+pub use crate::groom::hair::variation::{Variation, VariedStrand};
 pub use crate::groom::rest_shape::{natural_under_gravity, natural_under_gravity_with};
-pub use crate::groom::rooting::{Rooted, root_on};
 pub use crate::groom::scalp::{Amount, Density, Follicle, Jitter, MAX_FOLLICLES, RootRegion, Scalp, ScatterOptions, Scattered};
-pub use crate::groom::usable::{LeftOut, Unusable, remove_duplicates, turn_around, usable_curves};
-pub use crate::groom::variation::{Variation, VariedStrand};

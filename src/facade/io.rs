@@ -27,14 +27,17 @@
 
 pub use crate::files::curve_cache::{CurveCache, CurveCacheWriter, time_as_read};
 pub use crate::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
-pub use crate::files::hair::HairHeader;
+pub use crate::files::distance_grid;
 pub use crate::files::mesh_cache::MeshCache;
 pub use crate::files::motion::{Motion, MotionOptions};
-pub use crate::files::obj_mesh::{ObjMesh, Texture};
-pub use crate::files::point_strands::StrandsBy;
-pub use crate::files::raw_strands::RawStrands;
 pub use crate::files::recorded_curve::{Measured, RecordedCurve};
 pub use crate::files::sequence::{CacheFormat, Existing, Sequence, SequenceWriter};
-pub use crate::files::strand_attributes::StrandAttributes;
-pub use crate::files::tfx::TfxVersion;
-pub use crate::files::{distance_grid, hair, obj, obj_mesh, strand_data, tfx, usda};
+pub use crate::files::strands::hair::HairHeader;
+pub use crate::files::strands::point_strands::StrandsBy;
+pub use crate::files::strands::raw_strands::RawStrands;
+pub use crate::files::strands::strand_attributes::StrandAttributes;
+pub use crate::files::strands::tfx::TfxVersion;
+pub use crate::files::strands::{hair, strand_data, tfx};
+pub use crate::files::usd::usda;
+pub use crate::files::wavefront::obj_mesh::{ObjMesh, Texture};
+pub use crate::files::wavefront::{obj, obj_mesh};

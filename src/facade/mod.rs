@@ -31,8 +31,8 @@ pub use crate::contact::options::{ContactModel, ContactOptions, Friction, Strand
 pub use crate::contact::shape::Shape;
 pub use crate::energy::Energies;
 pub use crate::error::{Error, Result};
-pub use crate::groom::drawn::{Groom, GroomOptions};
-pub use crate::groom::wisp::Wisp;
+pub use crate::groom::curves::drawn::{Groom, GroomOptions};
+pub use crate::groom::hair::wisp::Wisp;
 pub use crate::math::frame::Frame;
 pub use crate::math::lane::Precision;
 pub use crate::math::lanes::InstructionSet;

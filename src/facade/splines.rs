@@ -11,5 +11,5 @@
 //! # Ok::<(), superhelix::Error>(())
 //! ```
 
-pub use crate::math::pose_spline::PoseSpline;
-pub use crate::math::spline::{MAX_POINTS_PER_SPAN, Spline, SplineEnds, SplineKind};
+pub use crate::math::splines::pose_spline::PoseSpline;
+pub use crate::math::splines::spline::{MAX_POINTS_PER_SPAN, Spline, SplineEnds, SplineKind};

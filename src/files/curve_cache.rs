@@ -3,14 +3,14 @@
 use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use super::io::bytes;
+use super::io::part_file::PartFile;
+use super::usd::usd_curves;
+use super::usd::usda::{self, LayerHead, Vector};
+use super::usd::usda_layer::Wanted;
+use super::usd::usda_samples::SampledLayer;
 use crate::error::{Error, Result, check_finite, check_positive};
-use crate::files::bytes;
 use crate::files::curves::{Curves, Extras};
-use crate::files::part_file::PartFile;
-use crate::files::usd_curves;
-use crate::files::usda::{self, LayerHead, Vector};
-use crate::files::usda_layer::Wanted;
-use crate::files::usda_samples::SampledLayer;
 
 /// The curves of a `.usda` file at its time samples. Frames are built on demand; the file stays in memory as read.
 #[derive(Debug)]

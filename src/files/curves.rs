@@ -2,10 +2,13 @@
 
 use std::path::Path;
 
+use super::io::bytes;
+use super::strands::hair::HairHeader;
+use super::strands::raw_strands::RawStrands;
+use super::strands::{alembic, hair, numpy, ply, strand_data, tfx};
+use super::usd::usda;
+use super::wavefront::obj;
 use crate::error::{Error, Result, check_positive};
-use crate::files::hair::HairHeader;
-use crate::files::raw_strands::RawStrands;
-use crate::files::{alembic, bytes, hair, numpy, obj, ply, strand_data, tfx, usda};
 
 /// The origin of a set of curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 
-use super::bytes::{Section, read_file, reserve, u32_at, write_file};
+use super::io::bytes::{Section, read_file, reserve, u32_at, write_file};
 use crate::contact::shape::{DistanceGrid, NODE_LIMIT, node_count};
 use crate::error::{Error, Result};
 

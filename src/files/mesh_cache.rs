@@ -4,12 +4,13 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 
+use super::io::bytes;
+use super::usd::usd_mesh;
+use super::usd::usda_layer::Wanted;
+use super::usd::usda_samples::SampledLayer;
+use super::wavefront::obj_mesh::{ObjMesh, Texture};
 use crate::error::{Error, Result};
 use crate::files::curves::UpAxis;
-use crate::files::obj_mesh::{ObjMesh, Texture};
-use crate::files::usda_layer::Wanted;
-use crate::files::usda_samples::SampledLayer;
-use crate::files::{bytes, usd_mesh};
 
 /// The meshes of a `.usda` file as one triangle mesh in the world, with fixed faces and moving vertices. Vertices are computed on
 /// demand; the file's numbers stay in memory.
@@ -29,7 +30,7 @@ impl MeshCache {
     /// # Errors
     /// [`Error::File`] naming the path and, where there is one, the line or the prim: when the file cannot be read, is not a USD
     /// text file, or has no faces; when faces have holes, change over time, have fewer than 3 or more than
-    /// [`MAX_CORNERS`](crate::files::obj_mesh::MAX_CORNERS) corners, name a missing point or one point twice, cross themselves or
+    /// [`MAX_CORNERS`](crate::files::wavefront::obj_mesh::MAX_CORNERS) corners, name a missing point or one point twice, cross themselves or
     /// have no area; when lists do not match; and when other files or variants would add to it. [`Error::OutOfMemory`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();

@@ -1,13 +1,21 @@
 //! The motion of a head: poses over time, from a table (`.csv`) or from motion capture (`.bvh`).
+//!
+//! Files:
+//!
+//! - `bvh.rs`: Motion capture in Biovision's `.bvh`: a tree of joints, then one row of numbers per frame.
+//! - `motion_csv.rs`: A motion as a table: one sample per line under the header `time_s,px_m,py_m,pz_m,qw,qx,qy,qz`.
+
+pub(super) mod bvh;
+pub(super) mod motion_csv;
 
 use std::path::Path;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
+use super::io::bytes;
 use crate::error::{Error, Result, check_positive};
-use crate::files::{bvh, bytes, motion_csv};
 use crate::math::frame::Frame;
-use crate::math::pose_spline::PoseSpline;
+use crate::math::splines::pose_spline::PoseSpline;
 
 /// Options for reading a motion.
 ///

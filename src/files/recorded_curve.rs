@@ -4,9 +4,9 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 
+use super::io::bytes;
+use super::io::text::{Quote, Text, number};
 use crate::error::{Error, Result};
-use crate::files::bytes;
-use crate::files::text::{Quote, Text, number};
 
 /// What the measured column holds; its name is in the header.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::strands::hair;
+use super::wavefront::obj;
 use crate::error::{Error, Result};
 use crate::files::curves::Curves;
-use crate::files::{hair, obj};
 
 /// The format of a cache's frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,72 +12,33 @@
 //!
 //! Files:
 //!
-//! - `align.rs`: Aligns the bends of guides before they are mixed.
-//! - `binding.rs`: Binds render strands to guides: which guides each strand follows, its place among them, and its random numbers.
-//! - `bodies.rs`: Keeps render strands out of bodies: points that are too close move out along the distance field.
-//! - `curvature.rs`: Strands mixed from their guides' lengths and bends: integrated from root to tip, sixteen strands side by side.
-//! - `evaluate.rs`: Evaluates the strands' points, in tiles and with many threads.
-//! - `frames.rs`: Material frames along a strand, from its points.
-//! - `guide_samples.rs`: Guides at one moment, as points.
-//! - `image.rs`: Serialises the map.
-//! - `lengths.rs`: Restores the lengths of render strands: moves points along their path to their target arclengths.
-//! - `own_shapes.rs`: The own shapes of strands: what each is at rest beside what its guides make of it, kept in the frames of its first guide.
-//! - `phase.rs`: The phase of a guide's curl: the angle by which its bend has rotated about the guide from point to point.
-//! - `pose.rs`: The guides of render hair at one moment.
-//! - `position.rs`: Strands mixed from their guides' positions, and blended into their wisps.
-//! - `profile.rs`: Profiles along a strand that do not depend on the guides.
-//! - `quaternion.rs`: Quaternions of frames in f32.
-//! - `reach.rs`: The distance around a guide within which no body lies: it spares most of a groom's points further checks.
-//! - `sections.rs`: Maps a patch of scalp to the cross-section of the hair on it.
 //! - `settings.rs`: Settings of render hair.
-//! - `shape.rs`: The guides' shapes at one moment, in the form from which strands are mixed.
-//! - `silhouette.rs`: Moves strands of mixed curvatures to where mixed positions lead.
-//! - `strand.rs`: A render strand in the map: the guides that it follows, and how.
-//! - `weights.rs`: Chooses the guides that a strand follows, and their weights.
-//! - `wisps.rs`: Wisps: divides the strands of each first guide among well-separated middles.
-//! - `without.rs`: Removes guides from a map.
+//! - `guides/`: The guides of render hair at one moment.
+//! - `map/`: The map of render hair: which guides each strand follows, and how.
+//! - `points/`: The points of render strands, mixed from their guides.
 
-mod align;
-mod binding;
-mod bodies;
-mod curvature;
-mod evaluate;
-mod frames;
-mod guide_samples;
-mod image;
-mod lengths;
-pub mod own_shapes;
-mod phase;
-mod pose;
-mod position;
-mod profile;
-mod quaternion;
-mod reach;
-mod sections;
+mod guides;
+mod map;
+pub mod points;
 mod settings;
-mod shape;
-mod silhouette;
-mod strand;
-mod weights;
-mod wisps;
-mod without;
 
 use nalgebra::Vector3;
 
-pub use bodies::RenderBody;
-pub use evaluate::{Motion, RootsAt, StrandPoints, StrandSink, View};
-pub use guide_samples::{GuideSamples, Resampled, resampled};
-pub use image::RENDER_HAIR_VERSION;
-pub use pose::{RenderPose, VELOCITY_STEP};
+pub use guides::guide_samples::{GuideSamples, Resampled, resampled};
+pub use guides::pose::{RenderPose, VELOCITY_STEP};
+pub use map::image::RENDER_HAIR_VERSION;
+pub use points::bodies::RenderBody;
+pub use points::evaluate::{Motion, RootsAt, StrandPoints, StrandSink, View};
 pub use settings::{MAX_GUIDES, MAX_POINTS, MAX_WISPS, RenderSettings, Space};
 
 use crate::workers::WorkerSet;
-use evaluate::EvaluateScratch;
-use own_shapes::OwnShapes;
-use profile::Profiles;
-use shape::Reference;
-use silhouette::Silhouette;
-use strand::{RenderCurl, RenderStrand};
+use guides::phase;
+use guides::shape::Reference;
+use map::strand::{RenderCurl, RenderStrand};
+use points::evaluate::EvaluateScratch;
+use points::own_shapes::OwnShapes;
+use points::profile::Profiles;
+use points::silhouette::Silhouette;
 
 /// The turning of a curve up to which it is straight, and that from which on it is curly, rad.
 const STRAIGHT: f64 = std::f64::consts::FRAC_PI_2;

@@ -1,4 +1,10 @@
 //! A rigid pose: the position and orientation of a strand's root or of one of its cross-sections.
+//!
+//! Files:
+//!
+//! - `pose_motion.rs`: The motion of a pose that a host sends from frame to frame: bodies and the targets of constraints.
+
+pub mod pose_motion;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 

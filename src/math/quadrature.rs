@@ -1,11 +1,17 @@
 //! Gauss–Legendre rules on [0, 1], and the choice of a rule for an element.
+//!
+//! Files:
+//!
+//! - `quadrature_limits.rs`: How far an element may turn for each Gauss–Legendre rule to integrate its inertia to a tolerance.
+
+pub(super) mod quadrature_limits;
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use super::quadrature_limits::{self, RULES};
-pub use super::quadrature_limits::{LOOSEST, TIGHTEST};
 use crate::error::{Error, Result};
+use quadrature_limits::RULES;
+pub use quadrature_limits::{LOOSEST, TIGHTEST};
 
 /// Default relative tolerance of the integrals along an element (`docs/theory/mathematics.md`).
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;

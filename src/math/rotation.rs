@@ -26,7 +26,7 @@ pub fn angle_at_most(rotation: &UnitQuaternion<f64>) -> f64 {
 /// The rotation of a rotation vector.
 pub fn from_rotation_vector(vector: Vector3<f64>) -> UnitQuaternion<f64> {
     let half = 0.5 * vector.norm();
-    let (sine, cosine) = super::trigonometry::sine_cosine(half);
+    let (sine, cosine) = super::functions::trigonometry::sine_cosine(half);
     let factor = if half < 1e-9 { 0.5 } else { 0.5 * sine / half };
     UnitQuaternion::new_normalize(nalgebra::Quaternion::from_parts(cosine, vector * factor))
 }
@@ -40,7 +40,7 @@ pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     let start = ratio * (std::f64::consts::FRAC_PI_4 + 0.273 * (1.0 - ratio));
     let mut angle = if sine < cosine { start } else { std::f64::consts::FRAC_PI_2 - start };
     for _ in 0..3 {
-        let (s, c) = super::trigonometry::sine_cosine(angle);
+        let (s, c) = super::functions::trigonometry::sine_cosine(angle);
         angle += sine * c - cosine * s;
     }
     angle

@@ -2,7 +2,7 @@
 //!
 //! Positions are relative to the root's origin in world axes, so that a strand far from the world's origin loses no digits.
 
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::lane::Lane;
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};

@@ -10,7 +10,6 @@
 //! - `segment.rs`: Kinematics of one helical segment in the frame of its left end, and its first and second variations.
 //! - `strand.rs`: The constants of a strand: its elements, material, natural shape and freedoms.
 //! - `target.rs`: The target of a strand: a curve in motion to which the strand is drawn, with a weight along it.
-//! - `target_def.rs`: The definition of a target, as a host gives it.
 //! - `turning.rs`: How far elements turn: a helix cannot bend its own axis, so a tight coil needs about four elements per turn.
 //! - `uniform_points.rs`: Points of several strands side by side: how a whole groom is read at once.
 //! - `velocity.rs`: Velocities and velocity-product accelerations along a strand from the rates of its curvatures.
@@ -23,7 +22,6 @@ pub mod section;
 pub mod segment;
 pub mod strand;
 pub mod target;
-pub mod target_def;
 pub mod turning;
 pub mod uniform_points;
 pub mod velocity;

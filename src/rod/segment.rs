@@ -10,7 +10,7 @@
 //! chord     V e0, so that r = s V e0, and J = s² ∂(V e0)/∂θ its variation.
 //! ```
 
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3, matrix};
 

@@ -2,11 +2,17 @@
 //!
 //! Where the weight is w, a point comes to its place on the curve with the time constant τ (1 − w)/w, critically damped: at ½
 //! with τ itself, at 0 not at all, and at 1 with [`SHORTEST_TIME`]. So every weight is a spring, and none is a special case.
+//!
+//! Files:
+//!
+//! - `definition.rs`: The definition of a target, as a host gives it.
 
-use super::target_def::TargetDef;
+pub mod definition;
+
 use crate::error::Result;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
+use definition::TargetDef;
 
 /// The time constant at weight 1, s: short enough that weight bends a point off its target by a tenth of a micrometre.
 pub const SHORTEST_TIME: f64 = 1e-4;

@@ -17,8 +17,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::math::functions::trigonometry::sine_cosine;
 use crate::math::lane::Lane;
-use crate::math::trigonometry::sine_cosine;
 
 /// How many strands go side by side.
 pub const WIDTH: usize = 16;

@@ -2,7 +2,7 @@
 
 use super::kinematics::{ElementState, Kinematics};
 use super::segment;
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
 

@@ -18,7 +18,7 @@ use crate::contact::narrow_phase::nearest::nearest;
 use crate::contact::options::Friction;
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::pose_motion::PoseMotion;
+use crate::math::frame::pose_motion::PoseMotion;
 use crate::memory;
 use crate::rod::strand::StrandModel;
 

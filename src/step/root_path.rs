@@ -4,9 +4,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::math::frame::Frame;
-use crate::math::pose_spline::right_jacobian;
+use crate::math::functions::trigonometry::sine_cosine;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
-use crate::math::trigonometry::sine_cosine;
+use crate::math::splines::pose_spline::right_jacobian;
 use crate::rod::velocity::RootMotion;
 
 /// Points of a polynomial.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::Workers;
-use superhelix::internals::groom::render_hair::own_shapes::with_own_shapes;
+use superhelix::internals::groom::render_hair::points::own_shapes::with_own_shapes;
 use superhelix::render::{GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, View};
 
 use super::render_hair::{Taken, evaluate, groom, whole};

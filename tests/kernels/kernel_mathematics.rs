@@ -10,7 +10,7 @@ use superhelix::internals::chain::elimination::Elimination;
 use superhelix::internals::chain::force::generalised;
 use superhelix::internals::chain::system::{ChainSystem, LinearSolve};
 use superhelix::internals::chain::{dense, displacement};
-use superhelix::internals::math::entire::Stumpff;
+use superhelix::internals::math::functions::entire::Stumpff;
 use superhelix::internals::math::quadrature::{Rule, Rules};
 use superhelix::internals::math::vector::{Mat3, Vec3};
 use superhelix::internals::rod::kinematics::Kinematics;

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::contact::contact_point::StrandCurve;
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::Vec3;
 use crate::rod::segment;

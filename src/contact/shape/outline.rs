@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::primitive::capsule::across;
 use super::{Kind, Mesh, Shape};
-use crate::math::trigonometry::sine_cosine;
+use crate::math::functions::trigonometry::sine_cosine;
 
 /// Segments of a circle.
 const SEGMENTS: usize = 24;

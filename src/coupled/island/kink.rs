@@ -9,7 +9,7 @@ use super::Island;
 use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind};
 use crate::contact::options::ContactOptions;
 use crate::coupled::constrained_strand::{ConstrainedStrand, Strands};
-use crate::math::trigonometry::sine_cosine;
+use crate::math::functions::trigonometry::sine_cosine;
 use crate::step::Setting;
 use crate::step::constrained::packs::AnyPack;
 

@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use super::linearised::{Damping, FitElimination, Freedom, State, Step, Weights};
 use super::samples::Sample;
 use super::shape::{Root, Shape};
+use crate::math::functions::trigonometry::sine_cosine;
 use crate::math::levenberg_marquardt::{self, DampedLeastSquares, Trial};
 use crate::math::rotation::from_rotation_vector;
-use crate::math::trigonometry::sine_cosine;
 use crate::math::vector::Mat3;
 
 /// Options of a search.

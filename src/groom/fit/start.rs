@@ -7,8 +7,8 @@
 use super::search::keep_apart;
 use super::shape::Shape;
 use super::target::Target;
+use crate::math::functions::trigonometry::sine_cosine;
 use crate::math::rotation::arc_tangent;
-use crate::math::trigonometry::sine_cosine;
 use crate::math::vector::Vec3;
 
 /// The nodes between elements.

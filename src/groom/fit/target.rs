@@ -6,7 +6,7 @@ use super::samples::Sample;
 use super::shape::Root;
 use super::{FitCurve, FitOptions, FitRoot};
 use crate::error::{Error, Result, check_finite};
-use crate::groom::polyline::Polyline;
+use crate::groom::curves::polyline::Polyline;
 use crate::math::vector::{Mat3, Vec3};
 
 /// A curve relative to its length, from its first point.

@@ -5,8 +5,8 @@
 //! values to the bit.
 
 use crate::chain::downstream::Downstream;
-use crate::chain::pivot::factorise;
-use crate::chain::reduced::Reduced;
+use crate::chain::elimination::pivot::factorise;
+use crate::chain::elimination::reduced::Reduced;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;
 use crate::rod::segment::{self, CurvatureForm};

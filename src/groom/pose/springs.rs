@@ -1,6 +1,6 @@
 //! Springs on places of a strand during posing.
 
-use crate::math::entire::Stumpff;
+use crate::math::functions::entire::Stumpff;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;
 use crate::rod::segment;

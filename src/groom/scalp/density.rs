@@ -2,7 +2,7 @@
 
 use super::{Follicle, Scalp};
 use crate::error::{Error, Result, check_not_negative, check_positive};
-use crate::groom::guide_roots::GuideRoots;
+use crate::groom::curves::guide_roots::GuideRoots;
 
 /// Relative density over a scalp: numbers of 0 or above, of which only the ratios count.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -4,7 +4,7 @@ use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
 use super::{Follicle, Scalp, check_vertices, double_area};
 use crate::error::{Error, Result};
-use crate::groom::polyline::Polyline;
+use crate::groom::curves::polyline::Polyline;
 use crate::math::frame::Frame;
 use crate::math::rotation::arc_tangent;
 

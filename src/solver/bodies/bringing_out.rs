@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::error::{Error, Result};
-use crate::groom::outside::{self, BroughtOut};
+use crate::groom::curves::outside::{self, BroughtOut};
 use crate::solver::Solver;
 use crate::solver::id::BodyId;
 

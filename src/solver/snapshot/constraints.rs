@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::bytes::{Reader, Writer, bad};
 use crate::error::Result;
-use crate::math::pose_motion::PoseMotion;
+use crate::math::frame::pose_motion::PoseMotion;
 use crate::solver::constraints::{Constraint, ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, SlotMap, StrandId};
 use crate::solver::strands::strand::Strand;

@@ -15,7 +15,7 @@ mod substeps;
 #[cfg(test)]
 mod tests;
 
-pub(super) use account::Account;
+pub(in crate::solver) use account::Account;
 pub use account::ContactTally;
 
 use super::workers::{WorkerScratch, WorkerSet};

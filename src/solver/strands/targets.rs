@@ -8,7 +8,7 @@ use crate::math::vector::Vec3;
 use crate::memory;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::target::Target;
-use crate::rod::target_def::TargetDef;
+use crate::rod::target::definition::TargetDef;
 use crate::solver::Solver;
 use crate::solver::id::StrandId;
 use crate::step::state::rotation_matrix;

@@ -7,7 +7,7 @@ use crate::math::vector::Vec3;
 
 /// Loads from root to tip, and their forces. A lane with fewer loads than others has empty ones.
 #[derive(Debug)]
-pub(in crate::step) struct PackLoads<T> {
+pub(super) struct PackLoads<T> {
     pub loads: Vec<Load<T>>,
     /// World axes, N.
     pub forces: Vec<Vec3<T>>,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
-use superhelix::internals::groom::drawn::in_metres;
+use superhelix::internals::groom::curves::drawn::in_metres;
 use superhelix::io::{Curves, Extras, UpAxis, obj_mesh};
 use superhelix::render::{RenderSettings, Space};
 use superhelix::{Shape, Workers};

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::editing::largest_turn;
 use superhelix::hair::{CurlFormula, HairParameters, Variation};
-use superhelix::internals::groom::drawn::check_length;
+use superhelix::internals::groom::curves::drawn::check_length;
 use superhelix::{Frame, StrandDef};
 
 use crate::groom::material_arguments::{MaterialArguments, in_words_of_flags};

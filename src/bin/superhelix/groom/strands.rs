@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use serde::Serialize;
 use superhelix::hair::{DrawnCurve, GroomStrand};
-use superhelix::internals::groom::drawn;
+use superhelix::internals::groom::curves::drawn;
 use superhelix::{GroomOptions, Workers};
 
 use crate::groom::material_arguments::MaterialArguments;

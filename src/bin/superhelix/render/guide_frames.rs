@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 use superhelix::Error;
-use superhelix::internals::groom::drawn::in_metres;
+use superhelix::internals::groom::curves::drawn::in_metres;
 use superhelix::io::{CurveCache, Curves, CurvesFormat};
 use superhelix::render::resampled;
 

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use superhelix::internals::groom::render_hair::own_shapes::with_own_shapes;
+use superhelix::internals::groom::render_hair::points::own_shapes::with_own_shapes;
 use superhelix::io::Extras;
 use superhelix::render::{GuideSamples, RenderHair, RenderSettings};
 use superhelix::{Error, Shape};

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use superhelix::Error;
-use superhelix::internals::files::part_file::PartFile;
+use superhelix::internals::files::io::part_file::PartFile;
 
 use crate::shell::failure::Failure;
 

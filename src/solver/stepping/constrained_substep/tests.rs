@@ -9,7 +9,7 @@ use crate::contact::body::BodyDef;
 use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
 use crate::contact::shape::Shape;
 use crate::math::frame::Frame;
-use crate::math::trigonometry::sine_cosine;
+use crate::math::functions::trigonometry::sine_cosine;
 use crate::solver::Solver;
 use crate::solver::definition::{SolverOptions, StrandDef};
 use crate::solver::id::StrandId;
