@@ -76,7 +76,7 @@ def check(header: Path, exports: Path) -> int:
     if is_announced(old, new):
         print(f"abi: breaks, and SHX_ABI_VERSION says so ({old.abi_version} to {new.abi_version}); next: `make abi-baseline`")
         return 0
-    print("abi: breaks that nobody announced. Take them back, or raise SHX_ABI_VERSION in src/capi/version.rs and tell of them in CHANGELOG.md")
+    print("abi: breaks that nobody announced. Take them back, or raise SHX_ABI_VERSION in src/capi/base/version.rs and tell of them in CHANGELOG.md")
     return 1
 
 

@@ -12,13 +12,13 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 use std::time::Instant;
 
-use superhelix::internals::capi::bodies::shx_solver_add_bodies;
-use superhelix::internals::capi::body_def::{SHX_SHAPE_GRID, shx_body_def, shx_body_def_init};
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::render_def::*;
-use superhelix::internals::capi::render_hair::*;
-use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::internals::capi::types::*;
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::types::*;
+use superhelix::internals::capi::render::render_def::*;
+use superhelix::internals::capi::render::render_hair::*;
+use superhelix::internals::capi::scene::bodies::shx_solver_add_bodies;
+use superhelix::internals::capi::scene::body_def::{SHX_SHAPE_GRID, shx_body_def, shx_body_def_init};
+use superhelix::internals::capi::simulation::solver::{shx_solver_create, shx_solver_destroy};
 use superhelix::io::{Curves, distance_grid, obj_mesh};
 use superhelix::shapes::{DistanceGrid, Mesh};
 
@@ -75,7 +75,7 @@ fn head(path: &str) -> Vec<u8> {
 }
 
 /// A solver with that one body.
-fn solver_with(grid: &[u8]) -> *mut superhelix::internals::capi::guard::shx_solver {
+fn solver_with(grid: &[u8]) -> *mut superhelix::internals::capi::base::guard::shx_solver {
     let (mut solver, mut def, mut id) = (null_mut(), MaybeUninit::uninit(), MaybeUninit::uninit());
     // SAFETY: living structures and places for handles.
     unsafe {

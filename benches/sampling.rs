@@ -14,15 +14,15 @@ use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::guard::shx_solver;
-use superhelix::internals::capi::sampling::{shx_sample_def, shx_sample_def_init, shx_solver_sample_strands};
-use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::internals::capi::solver_def::{shx_solver_def, shx_solver_def_init};
-use superhelix::internals::capi::step::shx_solver_step;
-use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::internals::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
-use superhelix::internals::capi::types::*;
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::guard::shx_solver;
+use superhelix::internals::capi::base::types::*;
+use superhelix::internals::capi::hair::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::hair::strands::{shx_solver_add_strands, shx_solver_remove_strands};
+use superhelix::internals::capi::reading::sampling::{shx_sample_def, shx_sample_def_init, shx_solver_sample_strands};
+use superhelix::internals::capi::simulation::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::simulation::solver_def::{shx_solver_def, shx_solver_def_init};
+use superhelix::internals::capi::simulation::step::shx_solver_step;
 use superhelix::{Integrator, Solver, SolverOptions, StrandDef};
 
 /// Bytes in use: as requested, and as rounded up by the allocator (glibc: one word more, in units of 16, at least 32).

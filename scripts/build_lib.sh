@@ -38,7 +38,7 @@ case $profile in
     types=("cdylib,staticlib")
     ;;
 esac
-# The C libraries alone have the allocator that a host may replace (src/capi/allocator.rs).
+# The C libraries alone have the allocator that a host may replace (src/capi/base/allocator.rs).
 arguments=(-C "link-arg=-Wl,-soname,$soname" --print native-static-libs --cfg superhelix_c_library)
 [ -z "${SHX_LINKER:-}" ] || arguments+=(-C "linker=$SHX_LINKER")
 

@@ -7,19 +7,19 @@ use std::ffi::c_void;
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering};
 
-use superhelix::internals::capi::bodies::{shx_solver_add_bodies, shx_solver_body_count};
-use superhelix::internals::capi::body_def::{SHX_SHAPE_MESH, shx_body_def, shx_body_def_init};
-use superhelix::internals::capi::constraints::{shx_constraint_def, shx_constraint_def_init, shx_solver_add_constraints};
-use superhelix::internals::capi::contact_events::shx_solver_keep_contact_events;
-use superhelix::internals::capi::errors::{SHX_ERROR_OUT_OF_MEMORY, SHX_OK, shx_result};
-use superhelix::internals::capi::guard::shx_solver;
-use superhelix::internals::capi::roots::shx_solver_get_root_frames;
-use superhelix::internals::capi::sampling::shx_solver_sample_at;
-use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::internals::capi::state::{shx_solver_restore, shx_solver_snapshot, shx_solver_state_hash};
-use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::internals::capi::strands::{shx_solver_add_strands, shx_solver_strand_count, shx_solver_strand_lengths};
-use superhelix::internals::capi::types::*;
+use superhelix::internals::capi::base::errors::{SHX_ERROR_OUT_OF_MEMORY, SHX_OK, shx_result};
+use superhelix::internals::capi::base::guard::shx_solver;
+use superhelix::internals::capi::base::types::*;
+use superhelix::internals::capi::hair::roots::shx_solver_get_root_frames;
+use superhelix::internals::capi::hair::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::hair::strands::{shx_solver_add_strands, shx_solver_strand_count, shx_solver_strand_lengths};
+use superhelix::internals::capi::reading::sampling::shx_solver_sample_at;
+use superhelix::internals::capi::scene::bodies::{shx_solver_add_bodies, shx_solver_body_count};
+use superhelix::internals::capi::scene::body_def::{SHX_SHAPE_MESH, shx_body_def, shx_body_def_init};
+use superhelix::internals::capi::scene::constraints::{shx_constraint_def, shx_constraint_def_init, shx_solver_add_constraints};
+use superhelix::internals::capi::scene::contact_events::shx_solver_keep_contact_events;
+use superhelix::internals::capi::simulation::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::simulation::state::{shx_solver_restore, shx_solver_snapshot, shx_solver_state_hash};
 
 /// The contract's limit: smaller blocks cannot fail softly.
 const LARGE: usize = 1 << 16;
@@ -217,7 +217,7 @@ fn every_call() {
         })
         .collect();
     let mut sheet: shx_body_def = filled(shx_body_def_init);
-    (sheet.shape, sheet.sides) = (SHX_SHAPE_MESH, superhelix::internals::capi::body_def::SHX_SIDES_BOTH);
+    (sheet.shape, sheet.sides) = (SHX_SHAPE_MESH, superhelix::internals::capi::scene::body_def::SHX_SIDES_BOTH);
     sheet.vertices =
         shx_input { data: vertices.as_ptr().cast(), stride: 0, count: vertices.len(), format: SHX_FORMAT_F64X3, reserved: 0 };
     (sheet.triangles, sheet.triangle_count) = (triangles.as_ptr().cast(), triangles.len());
@@ -237,7 +237,7 @@ fn every_call() {
         let mut ids = vec![shx_strand_id { bits: 0 }; COUNT];
         // SAFETY: a living handle and room for the ids.
         unsafe {
-            assert_eq!(superhelix::internals::capi::strands::shx_solver_strand_ids(solver, ids.as_mut_ptr(), COUNT), SHX_OK)
+            assert_eq!(superhelix::internals::capi::hair::strands::shx_solver_strand_ids(solver, ids.as_mut_ptr(), COUNT), SHX_OK)
         };
         ids
     };

@@ -8,17 +8,17 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::hair::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
-use superhelix::internals::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
-use superhelix::internals::capi::fit_curves::{
+use superhelix::internals::capi::base::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
+use superhelix::internals::capi::base::parallel::shx_range_fn;
+use superhelix::internals::capi::base::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, shx_input, shx_output};
+use superhelix::internals::capi::groom::fit_curves::{
     SHX_FIT_LENGTHS_EQUAL, shx_fit_input, shx_fit_input_init, shx_fit_options, shx_fit_options_init, shx_fit_strands,
     shx_fitted_strand, shx_strand_def_set_fit,
 };
-use superhelix::internals::capi::parallel::shx_range_fn;
-use superhelix::internals::capi::spline::{
+use superhelix::internals::capi::groom::spline::{
     SHX_SPLINE_BSPLINE, SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_PINNED, shx_spline_def, shx_spline_def_init, shx_spline_points,
 };
-use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::internals::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, shx_input, shx_output};
+use superhelix::internals::capi::hair::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::splines::{Spline, SplineEnds, SplineKind};
 
 const ELEMENTS: usize = 4;

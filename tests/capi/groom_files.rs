@@ -6,12 +6,12 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
 use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
-use superhelix::internals::capi::curve_cache::*;
-use superhelix::internals::capi::curve_data::*;
-use superhelix::internals::capi::curves::*;
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::hair_type::*;
-use superhelix::internals::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
+use superhelix::internals::capi::groom::curve_cache::*;
+use superhelix::internals::capi::groom::curve_data::*;
+use superhelix::internals::capi::groom::curves::*;
+use superhelix::internals::capi::groom::hair_type::*;
 use superhelix::io::{Curves, Extras, UpAxis};
 
 fn made<T>(fill: impl FnOnce(*mut T) -> i32) -> T {

@@ -5,18 +5,18 @@
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr::{null, null_mut};
 
-use superhelix::internals::capi::contact::*;
-use superhelix::internals::capi::errors::*;
-use superhelix::internals::capi::guard::{panic_inside, shx_solver};
-use superhelix::internals::capi::log::*;
-use superhelix::internals::capi::posing::shx_solver_cut_strands;
-use superhelix::internals::capi::solver::*;
-use superhelix::internals::capi::solver_def::*;
-use superhelix::internals::capi::state::{shx_solver_snapshot, shx_solver_state_hash};
-use superhelix::internals::capi::step::*;
-use superhelix::internals::capi::strand_def::*;
-use superhelix::internals::capi::strands::*;
-use superhelix::internals::capi::types::shx_strand_id;
+use superhelix::internals::capi::base::errors::*;
+use superhelix::internals::capi::base::guard::{panic_inside, shx_solver};
+use superhelix::internals::capi::base::log::*;
+use superhelix::internals::capi::base::types::shx_strand_id;
+use superhelix::internals::capi::hair::strand_def::*;
+use superhelix::internals::capi::hair::strands::*;
+use superhelix::internals::capi::scene::contact::*;
+use superhelix::internals::capi::simulation::solver::*;
+use superhelix::internals::capi::simulation::solver_def::*;
+use superhelix::internals::capi::simulation::state::{shx_solver_snapshot, shx_solver_state_hash};
+use superhelix::internals::capi::simulation::step::*;
+use superhelix::internals::capi::tools::posing::shx_solver_cut_strands;
 
 fn solver(log: shx_log_fn, user: *mut c_void) -> *mut shx_solver {
     let mut solver = null_mut();
@@ -126,7 +126,7 @@ fn rule_4_the_last_error_is_cut_to_the_buffer_and_kept() {
         // Never cut inside a character.
         let mut curves = null_mut();
         let path = c"\u{e9}\u{e9}\u{e9}.obj";
-        assert_eq!(superhelix::internals::capi::curves::shx_curves_read(path.as_ptr(), &raw mut curves), SHX_ERROR_FILE);
+        assert_eq!(superhelix::internals::capi::groom::curves::shx_curves_read(path.as_ptr(), &raw mut curves), SHX_ERROR_FILE);
         let all = text();
         for capacity in 1..all.len() {
             let mut bytes = vec![0x55_u8; capacity];

@@ -5,43 +5,43 @@ use std::path::{Path, PathBuf};
 
 /// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
 const SUBJECTS: [(&str, &[&str]); 37] = [
-    ("Version", &["version"]),
-    ("Results and errors", &["errors"]),
-    (HANDLES, &["guard"]),
-    ("Ids, frames, inputs and outputs", &["types"]),
-    ("Messages and threads", &["log", "parallel"]),
-    ("Memory", &["allocator"]),
-    ("Solver", &["solver_def", "solver", "solver_options"]),
-    ("Stepping", &["step_limits", "step"]),
-    ("Wind", &["wind"]),
-    ("Strands", &["strand_def", "strands"]),
-    ("Roots", &["roots", "motion"]),
-    ("Targets", &["targets"]),
-    ("Curvatures", &["shape"]),
-    ("Level of detail", &["level_of_detail"]),
-    ("Static equilibrium", &["settle"]),
-    ("Natural and rest shapes", &["restyling"]),
-    ("Materials and wisps", &["materials", "wisp"]),
-    ("Posing by hand", &["pose_def", "posing"]),
-    ("Sampling", &["sampling"]),
-    ("Bodies", &["body_def", "bodies", "distance_grid"]),
-    ("Contact", &["contact", "contacts", "contact_events"]),
-    ("Overlaps", &["overlaps", "push_out"]),
-    ("Constraints", &["constraints"]),
-    ("Rigid attachments", &["attachment"]),
-    ("Haptics", &["haptic_def", "haptic"]),
-    ("Styling tools", &["styling_tool", "styling", "ring_comb", "haptic_ring_comb"]),
-    ("Snapshots", &["state"]),
-    ("Debug drawing", &["debug_draw"]),
-    ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
-    ("Choosing settings", &["settings"]),
-    ("Choosing the number of elements", &["suggest"]),
-    ("Fitting friction to a recording", &["friction_fit"]),
-    ("Groom files and caches", &["curves", "curve_data", "curve_cache"]),
-    ("Hair types", &["hair_type"]),
-    ("Hair handle", &["hair_handle"]),
-    ("Scalps and follicles", &["scalp"]),
-    ("Render hair", &["render_def", "render_hair"]),
+    ("Version", &["base/version"]),
+    ("Results and errors", &["base/errors"]),
+    (HANDLES, &["base/guard"]),
+    ("Ids, frames, inputs and outputs", &["base/types"]),
+    ("Messages and threads", &["base/log", "base/parallel"]),
+    ("Memory", &["base/allocator"]),
+    ("Solver", &["simulation/solver_def", "simulation/solver", "simulation/solver_options"]),
+    ("Stepping", &["simulation/step_limits", "simulation/step"]),
+    ("Wind", &["simulation/wind"]),
+    ("Strands", &["hair/strand_def", "hair/strands"]),
+    ("Roots", &["hair/roots", "hair/motion"]),
+    ("Targets", &["hair/targets"]),
+    ("Curvatures", &["hair/shape"]),
+    ("Level of detail", &["hair/level_of_detail"]),
+    ("Static equilibrium", &["hair/settle"]),
+    ("Natural and rest shapes", &["hair/restyling"]),
+    ("Materials and wisps", &["hair/materials", "hair/wisp"]),
+    ("Posing by hand", &["tools/pose_def", "tools/posing"]),
+    ("Sampling", &["reading/sampling"]),
+    ("Bodies", &["scene/body_def", "scene/bodies", "scene/distance_grid"]),
+    ("Contact", &["scene/contact", "scene/contacts", "scene/contact_events"]),
+    ("Overlaps", &["scene/overlaps", "scene/push_out"]),
+    ("Constraints", &["scene/constraints"]),
+    ("Rigid attachments", &["scene/attachment"]),
+    ("Haptics", &["tools/haptic_def", "tools/haptic"]),
+    ("Styling tools", &["tools/styling_tool", "tools/styling", "tools/ring_comb", "tools/haptic_ring_comb"]),
+    ("Snapshots", &["simulation/state"]),
+    ("Debug drawing", &["reading/debug_draw"]),
+    ("Fitting strands to curves", &["groom/fit", "groom/fit_curves", "groom/spline"]),
+    ("Choosing settings", &["simulation/settings"]),
+    ("Choosing the number of elements", &["simulation/suggest"]),
+    ("Fitting friction to a recording", &["groom/friction_fit"]),
+    ("Groom files and caches", &["groom/curves", "groom/curve_data", "groom/curve_cache"]),
+    ("Hair types", &["groom/hair_type"]),
+    ("Hair handle", &["groom/hair_handle"]),
+    ("Scalps and follicles", &["groom/scalp"]),
+    ("Render hair", &["render/render_def", "render/render_hair"]),
 ];
 
 /// The subject that has all opaque handles, whatever their source.
@@ -177,11 +177,29 @@ fn generate() -> String {
     by_subject(&tidy(&String::from_utf8(bytes).expect("UTF-8")))
 }
 
+/// The sources of src/capi: a name, with its folder and without its ending, and the text.
+fn sources() -> Vec<(String, String)> {
+    let floor = root().join("src/capi");
+    let (mut folders, mut sources) = (vec![floor.clone()], Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let name = path.strip_prefix(&floor).expect("a source of the floor").with_extension("");
+            let name = name.components().map(|part| part.as_os_str().to_str().expect("UTF-8")).collect::<Vec<_>>().join("/");
+            sources.push((name, fs::read_to_string(&path).expect("a source")));
+        }
+    }
+    sources
+}
+
 /// The functions that src/capi exports, sorted, read from the sources themselves: cbindgen does not see what macros make.
 fn exports() -> String {
     let mut names = Vec::new();
-    for entry in fs::read_dir(root().join("src/capi")).expect("src/capi") {
-        let text = fs::read_to_string(entry.expect("an entry").path()).expect("a source");
+    for (_, text) in sources() {
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
         for pair in lines.windows(2).filter(|pair| pair[0] == "#[unsafe(no_mangle)]") {
             let (_, rest) = pair[1].split_once(" fn ").expect("a function after no_mangle");
@@ -219,13 +237,10 @@ fn the_committed_export_list_matches_the_sources() {
 
 #[test]
 fn every_source_of_the_floor_is_in_the_header() {
-    for entry in fs::read_dir(root().join("src/capi")).expect("src/capi") {
-        let path = entry.expect("an entry").path();
-        let text = fs::read_to_string(&path).expect("a source");
-        let stem = path.file_stem().expect("a name").to_str().expect("UTF-8").to_string();
+    for (name, text) in sources() {
         if text.contains("no_mangle") || text.contains("\npub const SHX_") {
-            let listed = SUBJECTS.iter().any(|(_, sources)| sources.contains(&stem.as_str()));
-            assert!(listed, "{stem}.rs is not among the header's sources");
+            let listed = SUBJECTS.iter().any(|(_, sources)| sources.contains(&name.as_str()));
+            assert!(listed, "{name}.rs is not among the header's sources");
         }
     }
 }

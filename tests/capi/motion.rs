@@ -5,11 +5,11 @@ use std::ptr::null;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::Frame;
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::motion::shx_sample_motion;
-use superhelix::internals::capi::types::{
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::types::{
     SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, SHX_FORMAT_FRAME, shx_input, shx_output,
 };
+use superhelix::internals::capi::hair::motion::shx_sample_motion;
 use superhelix::splines::PoseSpline;
 
 const POSE_TIMES: [f64; 5] = [1.0, 1.1, 1.25, 1.3, 1.5];

@@ -5,9 +5,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use superhelix::internals::capi::solver_def::shx_solver_def;
-use superhelix::internals::capi::step::shx_step_report;
-use superhelix::internals::capi::strand_def::shx_strand_def;
+use superhelix::internals::capi::hair::strand_def::shx_strand_def;
+use superhelix::internals::capi::simulation::solver_def::shx_solver_def;
+use superhelix::internals::capi::simulation::step::shx_step_report;
 
 use super::c_programs::{WARNINGS, build, root, run, scratch, text};
 

@@ -7,20 +7,20 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use superhelix::internals::capi::bodies::shx_solver_add_bodies;
-use superhelix::internals::capi::body_def::{SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
-use superhelix::internals::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
-use superhelix::internals::capi::guard::shx_solver;
-use superhelix::internals::capi::parallel::shx_range_fn;
-use superhelix::internals::capi::render_def::*;
-use superhelix::internals::capi::render_hair::*;
-use superhelix::internals::capi::roots::shx_solver_set_root_frames;
-use superhelix::internals::capi::scalp::*;
-use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::internals::capi::step::shx_solver_step;
-use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::internals::capi::strands::shx_solver_add_strands;
-use superhelix::internals::capi::types::*;
+use superhelix::internals::capi::base::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
+use superhelix::internals::capi::base::guard::shx_solver;
+use superhelix::internals::capi::base::parallel::shx_range_fn;
+use superhelix::internals::capi::base::types::*;
+use superhelix::internals::capi::groom::scalp::*;
+use superhelix::internals::capi::hair::roots::shx_solver_set_root_frames;
+use superhelix::internals::capi::hair::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::hair::strands::shx_solver_add_strands;
+use superhelix::internals::capi::render::render_def::*;
+use superhelix::internals::capi::render::render_hair::*;
+use superhelix::internals::capi::scene::bodies::shx_solver_add_bodies;
+use superhelix::internals::capi::scene::body_def::{SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
+use superhelix::internals::capi::simulation::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::simulation::step::shx_solver_step;
 
 /// What an `_init` function fills.
 fn filled<T>(init: unsafe extern "C" fn(*mut T, usize) -> i32) -> T {

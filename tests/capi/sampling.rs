@@ -4,16 +4,16 @@
 
 use std::ptr::{null, null_mut};
 
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::guard::shx_solver;
-use superhelix::internals::capi::roots::*;
-use superhelix::internals::capi::sampling::*;
-use superhelix::internals::capi::solver::*;
-use superhelix::internals::capi::state::*;
-use superhelix::internals::capi::step::shx_solver_step;
-use superhelix::internals::capi::strand_def::*;
-use superhelix::internals::capi::strands::*;
-use superhelix::internals::capi::types::*;
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::guard::shx_solver;
+use superhelix::internals::capi::base::types::*;
+use superhelix::internals::capi::hair::roots::*;
+use superhelix::internals::capi::hair::strand_def::*;
+use superhelix::internals::capi::hair::strands::*;
+use superhelix::internals::capi::reading::sampling::*;
+use superhelix::internals::capi::simulation::solver::*;
+use superhelix::internals::capi::simulation::state::*;
+use superhelix::internals::capi::simulation::step::shx_solver_step;
 
 const STRANDS: usize = 3;
 const POINTS: usize = 5;

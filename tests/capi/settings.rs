@@ -4,14 +4,14 @@
 use std::mem::{MaybeUninit, size_of};
 use std::ptr::null_mut;
 
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::settings::*;
-use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::internals::capi::solver_def::{shx_solver_def, shx_solver_def_init};
-use superhelix::internals::capi::step::shx_solver_step;
-use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::internals::capi::strands::shx_solver_add_strands;
-use superhelix::internals::capi::types::shx_strand_id;
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::types::shx_strand_id;
+use superhelix::internals::capi::hair::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::hair::strands::shx_solver_add_strands;
+use superhelix::internals::capi::simulation::settings::*;
+use superhelix::internals::capi::simulation::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::simulation::solver_def::{shx_solver_def, shx_solver_def_init};
+use superhelix::internals::capi::simulation::step::shx_solver_step;
 use superhelix::settings::{HairShape, Preset, Scenes, Settings, suggest_settings};
 
 fn new_settings() -> shx_settings {

@@ -217,7 +217,7 @@ extern "C" fn never(
     _: *mut std::ffi::c_void,
     _: u32,
     _: u32,
-    _: superhelix::internals::capi::parallel::shx_range_fn,
+    _: superhelix::internals::capi::base::parallel::shx_range_fn,
     _: *mut std::ffi::c_void,
 ) {
     unreachable!("a fit does not use it")

@@ -3,9 +3,9 @@
 
 use std::ffi::c_void;
 
-use superhelix::internals::capi::allocator::shx_set_allocator;
-use superhelix::internals::capi::debug_draw::*;
-use superhelix::internals::capi::wind::shx_solver_set_wind_field;
+use superhelix::internals::capi::base::allocator::shx_set_allocator;
+use superhelix::internals::capi::reading::debug_draw::*;
+use superhelix::internals::capi::simulation::wind::shx_solver_set_wind_field;
 
 use super::*;
 

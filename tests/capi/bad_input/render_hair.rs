@@ -1,8 +1,8 @@
 //! Bad input to the functions of render hair: function, argument, fault, expected result code, call.
 
 use super::*;
-use superhelix::internals::capi::render_def::*;
-use superhelix::internals::capi::render_hair::*;
+use superhelix::internals::capi::render::render_def::*;
+use superhelix::internals::capi::render::render_hair::*;
 
 /// Two points a strand.
 fn new_settings_of_two() -> shx_render_settings {

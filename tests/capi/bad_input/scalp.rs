@@ -2,7 +2,7 @@
 
 use super::scene::{CORNERS, TRIANGLES, input};
 use super::*;
-use superhelix::internals::capi::scalp::*;
+use superhelix::internals::capi::groom::scalp::*;
 
 fn new_scalp_def() -> shx_scalp_def {
     let mut def = std::mem::MaybeUninit::uninit();

@@ -3,24 +3,24 @@
 use std::ffi::{CString, c_void};
 use std::ptr::{null, null_mut};
 
-use superhelix::internals::capi::bodies::{shx_solver_add_bodies, shx_solver_remove_bodies};
-use superhelix::internals::capi::body_def::{SHX_SHAPE_MESH, SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
-use superhelix::internals::capi::constraints::{
-    shx_constraint_def, shx_constraint_def_init, shx_solver_add_constraints, shx_solver_remove_constraints,
-};
-use superhelix::internals::capi::contact::{shx_solver_set_strand_contact, shx_strand_contact, shx_strand_contact_init};
-use superhelix::internals::capi::contacts::shx_solver_contact_count;
-use superhelix::internals::capi::curves::{shx_curves, shx_curves_read};
-use superhelix::internals::capi::errors::SHX_OK;
-use superhelix::internals::capi::guard::shx_solver;
-use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::internals::capi::state::shx_solver_state_hash;
-use superhelix::internals::capi::step::shx_solver_step;
-use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::internals::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
-use superhelix::internals::capi::types::{
+use superhelix::internals::capi::base::errors::SHX_OK;
+use superhelix::internals::capi::base::guard::shx_solver;
+use superhelix::internals::capi::base::types::{
     SHX_FORMAT_F64X3, SHX_FORMAT_FRAME, shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id,
 };
+use superhelix::internals::capi::groom::curves::{shx_curves, shx_curves_read};
+use superhelix::internals::capi::hair::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::hair::strands::{shx_solver_add_strands, shx_solver_remove_strands};
+use superhelix::internals::capi::scene::bodies::{shx_solver_add_bodies, shx_solver_remove_bodies};
+use superhelix::internals::capi::scene::body_def::{SHX_SHAPE_MESH, SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
+use superhelix::internals::capi::scene::constraints::{
+    shx_constraint_def, shx_constraint_def_init, shx_solver_add_constraints, shx_solver_remove_constraints,
+};
+use superhelix::internals::capi::scene::contact::{shx_solver_set_strand_contact, shx_strand_contact, shx_strand_contact_init};
+use superhelix::internals::capi::scene::contacts::shx_solver_contact_count;
+use superhelix::internals::capi::simulation::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::simulation::state::shx_solver_state_hash;
+use superhelix::internals::capi::simulation::step::shx_solver_step;
 
 /// What outputs are filled with; it must still be there after an error.
 pub const UNTOUCHED: u8 = 0xa5;
@@ -227,7 +227,7 @@ impl Drop for Scene {
         unsafe {
             shx_solver_destroy(self.solver);
             shx_solver_destroy(self.other);
-            superhelix::internals::capi::curves::shx_curves_destroy(self.curves);
+            superhelix::internals::capi::groom::curves::shx_curves_destroy(self.curves);
         }
         let _ = std::fs::remove_file(self.groom.to_str().expect("UTF-8"));
     }
