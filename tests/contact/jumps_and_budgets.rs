@@ -113,6 +113,36 @@ fn hair_moves_with_a_head_that_jumps() {
     }
 }
 
+/// Hair that rests on a head, without hair on hair, so that every model is itself: a jump gives it no speed, and presses it no deeper.
+#[test]
+fn a_jump_gives_no_speed_to_hair_at_rest() {
+    let ways =
+        [(Vector3::new(0.3, 0.0, 0.0), NO_TURN()), (Vector3::zeros(), UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 1.5))];
+    for (model, max_iterations) in
+        [(ContactModel::Coulomb, 50), (ContactModel::Penalty, 50), (ContactModel::AtPoints, 50), (ContactModel::AtPoints, 2)]
+    {
+        for (way, turn) in ways {
+            let mut head = Head::new(model, max_iterations, Workers::default());
+            let options = ContactOptions { hair: false, ..head.solver.options().contact };
+            head.solver.set_contact_options(&options).unwrap();
+            let mut before = StepReport::default();
+            for _ in 0..150 {
+                before = head.solver.step(H, 1).unwrap();
+            }
+            let deep = head.look(Vector3::zeros(), NO_TURN());
+            println!("{model:?} {max_iterations}: {} contacts, {deep:.1e} m deep", before.contact.contacts);
+            assert!(before.contact.contacts > 10);
+            head.send(way, turn);
+            let jump = head.solver.step(H, 1).unwrap();
+            assert_eq!(jump.carried, 80);
+            let (was, is) = (before.energies.kinetic, jump.energies.kinetic);
+            assert!(is < 2.0 * was + 1e-9, "{model:?} {max_iterations}: kinetic energy {was:.2e} J, {is:.2e} J after the jump");
+            let deeper = head.look(way, turn) - deep;
+            assert!(deeper < 1e-4, "{model:?} {max_iterations}: {deeper:.2e} m deeper after the jump");
+        }
+    }
+}
+
 /// Without jumps no strand is carried, and with an infinite limit none ever is.
 #[test]
 fn only_motions_that_hair_cannot_follow_are_jumps() {

@@ -65,3 +65,39 @@ pub(in crate::contact) fn bracketed<T: Copy>(
     }
     (best, [a, b])
 }
+
+/// The minimum to which the value falls from a sample towards another place, and the last two samples, which it lies between. `beyond`: the sample
+/// there; none where nothing is near. None where it falls all the way: then the minimum lies beyond.
+pub(in crate::contact) fn fallen<T: Copy>(
+    from: Sample<T>,
+    mut end: f64,
+    mut beyond: Option<Sample<T>>,
+    tolerance: f64,
+    mut ask: impl FnMut(f64) -> Option<Sample<T>>,
+) -> Option<(Sample<T>, [Sample<T>; 2])> {
+    let forwards = end > from.s;
+    let falls = |sample: &Sample<T>| if forwards { sample.slope < 0.0 } else { sample.slope > 0.0 };
+    let mut here = from;
+    // What is higher again, or rises, at the end has a minimum on the way. The nearest is sought: between ends each of which lies above the other's
+    // tangent the value may be convex, before that it is not.
+    for _ in 0..24 {
+        if let Some(there) = beyond {
+            let span = there.s - here.s;
+            let is_above = |a: &Sample<T>, b: &Sample<T>, span: f64| b.value >= a.value + a.slope * span;
+            if falls(&there) {
+                if there.value <= here.value {
+                    return None;
+                }
+            } else if is_above(&here, &there, span) && is_above(&there, &here, -span) {
+                let [left, right] = if forwards { [here, there] } else { [there, here] };
+                return Some(bracketed(left, right, tolerance, ask));
+            }
+        }
+        let s = 0.5 * (here.s + end);
+        match ask(s) {
+            Some(middle) if falls(&middle) && middle.value < here.value => here = middle,
+            middle => (end, beyond) = (s, middle),
+        }
+    }
+    None
+}

@@ -6,6 +6,7 @@
 
 use nalgebra::Vector3;
 
+use super::across_edge::across_edge;
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
@@ -14,7 +15,7 @@ use crate::contact::shape::{Ball, Surface};
 /// A smaller overlap is left, m: half of what a step may leave.
 pub(in crate::contact) const TOLERANCE: f64 = 5e-6;
 
-/// The point of the piece between two nodes that is nearest to a triangle, if the surface is closer than `thickness` there.
+/// The point of the piece between two nodes that is nearest to a triangle, or the deepest beside it, if the surface is closer than `thickness` there.
 /// Pieces whose ends are inside are left alone: for these the side from which they come decides.
 pub(in crate::contact) fn find(
     ground: &Ground,
@@ -53,9 +54,37 @@ pub(in crate::contact) fn find(
     if nearest.value >= bar {
         return None;
     }
-    let (now, tangent) = path.now.at(nearest.s);
-    let surface = ground.ask(|| path.start.at(nearest.s).0, now, None)?;
-    (surface.distance < bar).then(|| sample(nearest.s, surface, &tangent))
+    let found = ask(ground, path, nearest.s).filter(|found| found.value < bar)?;
+    // Where the piece goes through the triangle it is deeper on its way to another.
+    let towards = if found.slope < 0.0 { right } else { left };
+    let deepest = deepest(ground, path, found, towards).filter(|deepest| deepest.value < found.value);
+    Some(deepest.unwrap_or(found))
+}
+
+/// The deepest point beside a node whose centre is inside a mesh, if it lies between that and one of its neighbours.
+pub(in crate::contact) fn below(
+    ground: &Ground,
+    path: &ElementPath,
+    node: &Node,
+    neighbours: [Option<&Node>; 2],
+) -> Option<Sample<Surface>> {
+    let from = node.sample.filter(|sample| sample.value < 0.0)?;
+    deepest(ground, path, from, neighbours[usize::from(from.slope < 0.0)]?)
+}
+
+fn ask(ground: &Ground, path: &ElementPath, s: f64) -> Option<Sample<Surface>> {
+    let (now, tangent) = path.now.at(s);
+    ground.ask(|| path.start.at(s).0, now, None).map(|surface| sample(s, surface, &tangent))
+}
+
+/// The minimum of the distance to which it falls from a sample towards a node.
+fn deepest(ground: &Ground, path: &ElementPath, from: Sample<Surface>, towards: &Node) -> Option<Sample<Surface>> {
+    let ask = |s: f64| ask(ground, path, s);
+    let (mut found, around) = descent::fallen(from, towards.s, towards.sample, 0.5 * TOLERANCE, ask)?;
+    if found.value < 0.0 {
+        found.found = across_edge(&found, around, ask);
+    }
+    Some(found)
 }
 
 /// A bound from below between two places of a distance that is convex but for `bend`: d″ ≥ −κ, so that d lies above the parabola

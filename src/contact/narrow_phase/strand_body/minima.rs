@@ -119,6 +119,9 @@ impl Search<'_, '_> {
                 self.add_undetected_overlaps(ground, path, &[pair[0], pair[1]], &close, from);
             }
         }
+        if ground.mesh.is_some() {
+            self.add_points_below(ground, path, nodes, from);
+        }
         (self.scratch.pieces, self.scratch.close) = (pieces, close);
         let tip = index + 1 == self.path.now.elements.len();
         if let Some(sample) = right.sample.filter(|sample| held(sample, !tip || sample.slope > 0.0)) {
