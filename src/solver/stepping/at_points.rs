@@ -40,9 +40,12 @@ pub(in crate::solver) struct Touched {
 
 /// The bodies near a pack's strands, by lane.
 #[derive(Debug, Default)]
-pub(super) struct NearBodies {
+pub(super) struct NearBodies<'a> {
     all: Vec<u32>,
     ends: [usize; MAX_LANES],
+    /// All bodies in the motions in which a lane's strand meets them, if those are not their own: bodies that jumped with its root
+    /// have not passed it.
+    own_motions: Vec<(usize, Vec<BodyAt<'a>>)>,
 }
 
 impl Touched {
@@ -61,7 +64,7 @@ impl Touched {
 
 impl<'a> AtPoints<'a> {
     /// Finds the bodies near the strands of a pack.
-    pub fn find_near<'s>(&mut self, strands: impl Iterator<Item = &'s Strand>, h: f64) -> NearBodies {
+    pub fn find_near<'s>(&mut self, strands: impl Iterator<Item = &'s Strand>, h: f64) -> NearBodies<'a> {
         let mut near = NearBodies { all: std::mem::take(&mut self.found.near), ..NearBodies::default() };
         near.all.clear();
         for (lane, strand) in strands.enumerate() {
@@ -69,6 +72,11 @@ impl<'a> AtPoints<'a> {
                 let around = strand.reach(contact, &strand.root_during(h));
                 let bodies = self.bodies.iter().filter(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
                 near.all.extend(bodies.map(|body| body.index));
+                let from = strand.bodies_from();
+                if from.len() == self.bodies.len() {
+                    let moved = self.bodies.iter().zip(from).map(|(body, from)| body.with_motion([*from, body.end]));
+                    near.own_motions.push((lane, moved.collect()));
+                }
             }
             near.ends[lane] = near.all.len();
         }
@@ -76,14 +84,14 @@ impl<'a> AtPoints<'a> {
     }
 
     /// Keeps the list's memory.
-    pub fn give_back(&mut self, near: NearBodies) {
+    pub fn give_back(&mut self, near: NearBodies<'a>) {
         self.found.near = near.all;
     }
 
     /// What a strand of the pack may touch.
     pub fn surfaces_of<'s>(
         &self,
-        near: &'s NearBodies,
+        near: &'s NearBodies<'a>,
         lane: usize,
         contact: Option<&'s StrandContact>,
         permitted_overlap: Option<&'s PermittedOverlap>,
@@ -92,7 +100,9 @@ impl<'a> AtPoints<'a> {
         Self: 's,
     {
         let from = if lane > 0 { near.ends[lane - 1] } else { 0 };
-        Some(StrandSurfaces { bodies: self.bodies, near: &near.all[from..near.ends[lane]], contact: contact?, permitted_overlap })
+        let own = near.own_motions.iter().find(|(of, _)| *of == lane);
+        let bodies = own.map_or(self.bodies, |(_, bodies)| bodies);
+        Some(StrandSurfaces { bodies, near: &near.all[from..near.ends[lane]], contact: contact?, permitted_overlap })
     }
 
     /// Takes down how deep a strand is.

@@ -259,7 +259,7 @@ struct Picked<'a, 'b> {
     indices: &'a [usize],
     /// What they may touch at their points.
     at_points: Option<&'a mut AtPoints<'b>>,
-    near: Option<&'a NearBodies>,
+    near: Option<&'a NearBodies<'b>>,
     /// What decides about those on trial, and lanes of those that may not keep their steps.
     trials: Option<&'a mut Trials<'b>>,
     refused: u32,
