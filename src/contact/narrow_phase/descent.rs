@@ -75,12 +75,14 @@ pub(in crate::contact) fn fallen<T: Copy>(
     tolerance: f64,
     mut ask: impl FnMut(f64) -> Option<Sample<T>>,
 ) -> Option<(Sample<T>, [Sample<T>; 2])> {
+    /// How often it is halved at least.
+    const HALVED: usize = 2;
     let forwards = end > from.s;
     let falls = |sample: &Sample<T>| if forwards { sample.slope < 0.0 } else { sample.slope > 0.0 };
     let mut here = from;
     // What is higher again, or rises, at the end has a minimum on the way. The nearest is sought: between ends each of which lies above the other's
-    // tangent the value may be convex, before that it is not.
-    for _ in 0..24 {
+    // tangent the value may be convex, before that it is not. (Ends that are far apart may look so over a narrow fall.)
+    for turn in 0..24 {
         if let Some(there) = beyond {
             let span = there.s - here.s;
             let is_above = |a: &Sample<T>, b: &Sample<T>, span: f64| b.value >= a.value + a.slope * span;
@@ -88,7 +90,7 @@ pub(in crate::contact) fn fallen<T: Copy>(
                 if there.value <= here.value {
                     return None;
                 }
-            } else if is_above(&here, &there, span) && is_above(&there, &here, -span) {
+            } else if turn >= HALVED && is_above(&here, &there, span) && is_above(&there, &here, -span) {
                 let [left, right] = if forwards { [here, there] } else { [there, here] };
                 return Some(bracketed(left, right, tolerance, ask));
             }
