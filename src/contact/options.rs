@@ -25,8 +25,8 @@ pub enum ContactModel {
     Coulomb = 4,
     /// For games and previews: contact with bodies at the strands' integration points (four or more an element), halfway between them and at
     /// the tip, with Coulomb's friction, as part of each strand's own minimisation: side by side with free strands, and in single precision too. Springs are a hundred
-    /// times as stiff as what a point's inertia and the strand's bending put against them in the step, so that with two
-    /// to four iterations most surfaces sink into each other by tenths of a millimetre, some by millimetres where a body moves fast. Strands
+    /// times as stiff as what a point's inertia and the strand's bending put against them in the step, so that by default most surfaces sink
+    /// into each other by tenths of a millimetre at most. Two to four iterations leave some strands a centimetre deep where a body moves fast. Strands
     /// pass and pierce what is thinner than their points are apart. Strands that collide with others or
     /// have constraints are stepped as with [`ContactModel::Penalty`].
     AtPoints = 5,
@@ -117,6 +117,12 @@ impl ContactOptions {
     /// The depth of overlap that the model tolerates, m: none with springs, whose depth is their force.
     pub(crate) fn tolerated_depth(&self) -> f64 {
         if self.model.is_soft() { 0.0 } else { self.tolerance }
+    }
+
+    /// The depth in a body from which on a root counts as inside, m. A root on the surface is as deep as its strand's radius, by default the
+    /// tolerance: rounding must not decide.
+    pub(crate) fn deepest_root(&self) -> f64 {
+        self.tolerance * (1.0 + 1e-3)
     }
 
     /// Checks every value; `argument` is the name put before the field in the message.

@@ -399,7 +399,8 @@ impl Solver {
             is_nested: false,
             halving_ends: u64::MAX,
         };
-        let (are_near, tolerance) = (ConstrainedSubstep::mark(&mut scene, h), scene.options.tolerance);
+        let are_near = ConstrainedSubstep::mark(&mut scene, h);
+        let (tolerance, deepest_root) = (scene.options.tolerance, scene.options.deepest_root());
         let at_points = at_points::options(scene.options, h);
         if at_points.is_some() {
             at_points::begin(scene.strands);
@@ -412,7 +413,7 @@ impl Solver {
             if let Some(trials) = &trials {
                 trials.begin(strands, h, meter);
             }
-            let at_points = at_points.map(|options| AtPoints { bodies: &bodies, options, tolerance, found: &mut *touched });
+            let at_points = at_points.map(|options| AtPoints { bodies: &bodies, options, deepest_root, found: &mut *touched });
             let mut task = Task { tally: &mut tally, trials, at_points };
             side_by_side::take(strands, &setting, h, set, &mut task, step, meter);
             if !touched.is_empty() {

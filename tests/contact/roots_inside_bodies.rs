@@ -97,6 +97,40 @@ fn contact_at_points_reports_a_root_in_a_body() {
     assert!(steps(&mut solver, 2).iter().all(|report| report.contact.roots_inside == 0));
 }
 
+/// Roots exactly on the surface, which the defaults put as deep as the tolerance: they are not inside, however rounding has it while the head turns.
+#[test]
+fn a_root_on_the_surface_is_not_inside_by_the_defaults() {
+    for model in [ContactModel::Coulomb, ContactModel::AtPoints] {
+        let mut options = SolverOptions::default();
+        options.contact.model = model;
+        let mut solver = Solver::new(options).unwrap();
+        let head = solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(0.1).unwrap()))]).unwrap()[0];
+        let mut def = StrandDef::straight(0.1, 8);
+        let roots: Vec<Frame> = (0..40)
+            .map(|k| {
+                let turn = UnitQuaternion::from_euler_angles(0.3, -0.1 - 0.05 * f64::from(k), 0.7 * f64::from(k));
+                Frame { origin: turn * Vector3::x() * 0.1, rotation: turn }
+            })
+            .collect();
+        let ids: Vec<StrandId> = roots
+            .iter()
+            .map(|root| {
+                def.root = *root;
+                solver.add_strands(&[def.clone()]).unwrap()[0]
+            })
+            .collect();
+        solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+        for step in 1..=40 {
+            let rotation = UnitQuaternion::from_euler_angles(0.0, 0.0007 * f64::from(step), 0.0006 * f64::from(step));
+            let pose = Frame { origin: Vector3::new(0.1, 0.2, 0.3) * 1e-3 * f64::from(step), rotation };
+            let turned: Vec<Frame> = roots.iter().map(|root| pose.compose(root)).collect();
+            solver.set_root_frames(&ids, &turned, 1.0 / 60.0).unwrap();
+            solver.set_body_frames(&[head], &[pose], 1.0 / 60.0).unwrap();
+            assert_eq!(solver.step(1.0 / 60.0, 1).unwrap().contact.roots_inside, 0, "{model:?} {step}");
+        }
+    }
+}
+
 /// Side by side, too: of ten strands those three whose roots are in the floor.
 #[test]
 fn contact_at_points_counts_roots_in_a_body() {

@@ -22,7 +22,7 @@ pub(super) struct AtPoints<'a> {
     pub bodies: &'a [BodyAt<'a>],
     pub options: PointContactOptions,
     /// A root that is deeper than this counts as inside, m.
-    pub tolerance: f64,
+    pub deepest_root: f64,
     pub found: &'a mut Touched,
 }
 
@@ -108,7 +108,7 @@ impl<'a> AtPoints<'a> {
     /// Takes down how deep a strand is.
     pub fn take_depth(&mut self, depth: DepthAtPoints) {
         self.found.depth = self.found.depth.max(depth.deepest);
-        self.found.roots_inside += u32::from(depth.root > self.tolerance);
+        self.found.roots_inside += u32::from(depth.root > self.deepest_root);
     }
 
     /// Takes down a contact.

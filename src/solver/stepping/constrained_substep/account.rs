@@ -82,7 +82,7 @@ impl ConstrainedSubstep {
                 account.tally.add(&constrained.step.outcome);
             }
             contact.penetration = contact.penetration.max(-constrained.root_gap);
-            contact.roots_inside += u32::from(constrained.root_gap < -scene.options.tolerance);
+            contact.roots_inside += u32::from(constrained.root_gap < -scene.options.deepest_root());
         }
         self.contacts.clear();
         for constraint in scene.constraints.iter_mut() {
