@@ -12,6 +12,7 @@ use superhelix::internals::capi::base::types::shx_strand_id;
 use superhelix::internals::capi::hair::strand_def::*;
 use superhelix::internals::capi::hair::strands::*;
 use superhelix::internals::capi::scene::contact::*;
+use superhelix::internals::capi::scene::overlaps::shx_solver_permit_overlaps;
 use superhelix::internals::capi::simulation::solver::*;
 use superhelix::internals::capi::simulation::solver_def::*;
 use superhelix::internals::capi::simulation::state::{shx_solver_snapshot, shx_solver_state_hash};
@@ -266,6 +267,54 @@ fn a_batch_of_cuts_says_which_strand_cannot_be_cut_and_cuts_none() {
         assert!(message.contains(&named), "{message}");
         assert_eq!(shx_solver_state_hash(handle, &raw mut after), SHX_OK);
         assert_eq!(before, after);
+        shx_solver_destroy(handle);
+    }
+}
+
+/// Curls drawn through each other never converge. The log says what permits that.
+#[test]
+fn strands_drawn_through_each_other_are_told_of() {
+    const SIDE: usize = 7;
+    let mut messages: Vec<(u32, String)> = Vec::new();
+    let handle = solver(Some(collect), (&raw mut messages).cast());
+    // 16 mm wide, a turn in 20 mm, hanging from roots 10 mm apart.
+    let (radius, rise) = (0.008_f64, 0.02 / std::f64::consts::TAU);
+    let squared = radius * radius + rise * rise;
+    let curl = [[rise / squared, radius / squared, 0.0]; 12];
+    let ids: Vec<shx_strand_id> = (0..SIDE * SIDE)
+        .map(|k| {
+            add(handle, |def| {
+                (def.length, def.element_count, def.air_drag) = (3.0 * std::f64::consts::TAU * squared.sqrt(), 12, 1e-5);
+                def.natural_curvatures = curl.as_ptr().cast();
+                let place = |line: usize, off: usize| 0.01 * line as f64 + 0.0007 * off as f64;
+                def.root.origin = [place(k % SIDE, k * 37 % 11), place(k / SIDE, k * 53 % 13), 0.0];
+                let (sine, cosine) = (std::f64::consts::PI * (k * 29 % 17) as f64 / 17.0).sin_cos();
+                def.root.rotation = [sine, cosine, -sine, cosine].map(|part| part * 0.5_f64.sqrt());
+            })
+        })
+        .collect();
+    let mut contact = std::mem::MaybeUninit::<shx_strand_contact>::uninit();
+    let mut options = std::mem::MaybeUninit::<shx_contact_options>::uninit();
+    let told = |messages: &[(u32, String)]| {
+        messages.iter().any(|(level, text)| *level == SHX_LOG_WARN && text.contains("shx_solver_permit_overlaps"))
+    };
+    // SAFETY: a living handle, structures of their own sizes, and as many ids as are said.
+    unsafe {
+        assert_eq!(shx_strand_contact_init(contact.as_mut_ptr(), size_of::<shx_strand_contact>()), SHX_OK);
+        assert_eq!(shx_contact_options_init(options.as_mut_ptr(), size_of::<shx_contact_options>()), SHX_OK);
+        let (mut contact, mut options) = (contact.assume_init(), options.assume_init());
+        contact.wisp_radius = 1e-3;
+        options.hair_contact = 1;
+        assert_eq!(shx_solver_set_strand_contact(handle, ids.as_ptr(), ids.len(), &raw const contact, 0), SHX_OK);
+        assert_eq!(shx_solver_set_contact_options(handle, &raw const options), SHX_OK);
+        for _ in 0..2 {
+            assert_eq!(shx_solver_step(handle, 1.0 / 60.0, 1, null_mut()), SHX_OK);
+        }
+        assert!(told(&messages), "{messages:?}");
+        messages.clear();
+        assert_eq!(shx_solver_permit_overlaps(handle, ids.as_ptr(), ids.len()), SHX_OK);
+        assert_eq!(shx_solver_step(handle, 1.0 / 60.0, 1, null_mut()), SHX_OK);
+        assert!(!told(&messages), "{messages:?}");
         shx_solver_destroy(handle);
     }
 }

@@ -65,7 +65,8 @@ pub struct shx_step_report {
     pub contact_sweeps: u64,
     /// Largest residual of the contact and friction laws: see shx_contact_options.residual.
     pub max_contact_residual: f64,
-    /// Largest penetration depth at the end of a substep, m.
+    /// Largest penetration depth at the end of a substep, m. Surfaces that penetrate by less than the contact
+    /// tolerance are not always contacts, and may be left out.
     pub max_penetration: f64,
     /// Largest constraint error at the end of a substep, m.
     pub max_constraint_error: f64,
@@ -173,7 +174,13 @@ fn step(core: &mut Solver, dt: f64, substeps: u32, limits: &StepLimits) -> Resul
     }
 }
 
-fn tell(log: &LogSink, report: &StepReport) {
+/// What mends contact that does not converge: `tolerance`, m, is that of contact.
+fn advice(report: &StepReport, tolerance: f64) -> &'static str {
+    let deep = report.contact.penetration > tolerance;
+    if deep { " (where strands are drawn through each other or bodies, see shx_solver_permit_overlaps)" } else { "" }
+}
+
+fn tell(log: &LogSink, report: &StepReport, tolerance: f64) {
     if report.quarantined > 0 {
         log.message(
             SHX_LOG_WARN,
@@ -193,8 +200,11 @@ fn tell(log: &LogSink, report: &StepReport) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_step: {} islands unconverged, penetration up to {:e} m, constraint error up to {:e} m",
-                report.contact.unconverged, report.contact.penetration, report.contact.constraint_error
+                "shx_solver_step: {} islands unconverged, penetration up to {:e} m, constraint error up to {:e} m{}",
+                report.contact.unconverged,
+                report.contact.penetration,
+                report.contact.constraint_error,
+                advice(report, tolerance)
             ),
         );
     }
@@ -286,7 +296,7 @@ unsafe fn step_and_tell(
         Some(unsafe { VersionedOutput::new("report", report)? })
     };
     let told = step(core, dt, substeps, limits)?;
-    tell(log, &told);
+    tell(log, &told, core.options().contact.tolerance);
     if let Some(output) = output {
         output.write(&shx_step_report::from_report(&told));
     }
