@@ -19,7 +19,8 @@ use crate::platform::Instant;
 pub struct StepLimits<'a> {
     /// The most work on strands in contact or with constraints in each substep, in units of about a microsecond of one core of
     /// 2026. Work is counted, not measured: the result is the same to the bit on every machine and for any number of threads.
-    /// `None`: [`usual_work`], which keeps a host responsive whatever happens.
+    /// `None`: [`usual_work`], which keeps a host responsive whatever happens. A search for contacts is always finished: a step may
+    /// spend more by one of them, and limits below its cost stop every step before a strand moves.
     pub work: Option<u64>,
     /// Seconds that the call may take. What is done by then depends on the clock, and so do the result's bits. `None`: no limit.
     pub seconds: Option<f64>,

@@ -584,7 +584,8 @@ typedef struct shx_step_limits {
   // one core. Work is counted, not timed, so results are identical to the bit on every machine and for any
   // number of threads. 0 (default): shx_solver_options.max_work, or where that is 0 too 500 per element,
   // and at least 450000: about half a second of one core for up to 900 elements, up to three times that in
-  // a tangle.
+  // a tangle. A search for contacts is always finished: a step may spend more by one of them, and limits
+  // below its cost stop every step before a strand moves.
   uint64_t max_work;
   // Maximum duration of the call, s. Results then depend on the clock. 0 (default):
   // shx_solver_options.max_seconds, or where that is 0 too no limit. A step needs some time to finish after
@@ -648,7 +649,8 @@ typedef struct shx_step_report {
   uint64_t contact_sweeps;
   // Largest residual of the contact and friction laws: see shx_contact_options.residual.
   double max_contact_residual;
-  // Largest penetration depth at the end of a substep, m.
+  // Largest penetration depth at the end of a substep, m. Surfaces that penetrate by less than the contact
+  // tolerance are not always contacts, and may be left out.
   double max_penetration;
   // Largest constraint error at the end of a substep, m.
   double max_constraint_error;
@@ -1775,9 +1777,10 @@ SHX_API shx_result shx_distance_grid_bake(const shx_distance_grid_def *def, void
 
 // For games and previews: contact with bodies at the strands' integration points (four or more an element),
 // halfway between them and at the tip, with Coulomb friction, as part of the free step and in single
-// precision too. max_iterations 2 to 4 is a good choice: most contacts then penetrate by tenths of a
-// millimetre, some by millimetres where a body moves fast. Strands pass or pierce what is thinner than
-// their points are apart. Strands that collide with strands or have constraints use SHX_CONTACT_PENALTY.
+// precision too. By default most contacts penetrate by tenths of a millimetre at most. max_iterations 2 to
+// 4 saves a third of the time and leaves some strands a centimetre deep where a body moves fast. Strands
+// pass or pierce what is thinner than their points are apart. Strands that collide with strands or have
+// constraints use SHX_CONTACT_PENALTY.
 #define SHX_CONTACT_AT_POINTS 4
 
 // How a solver handles contact. Fill it with shx_contact_options_init.
@@ -1865,7 +1868,8 @@ typedef struct shx_strand_contact {
   double viscous_friction_along;
   // The same from tip to root. Default 1.5e-4.
   double viscous_friction_against;
-  // Length from the follicle on that has no contacts, m; zero or above. Default 0.
+  // Length from the follicle on that has no contacts, m; zero or above. Default 0. Roots on the surface of a
+  // body, as those of shx_scalp_root_frames on its own mesh, need some millimetres.
   double exempt_length;
 } shx_strand_contact;
 
@@ -1920,7 +1924,8 @@ typedef struct shx_contact {
   double force[3];
   // How far the strand slid over its partner during the substep, m, world, along the surface.
   double slip[3];
-  // Distance between the surfaces along the normal, m; negative if they penetrate.
+  // Distance between the surfaces along the normal, m; negative if they penetrate. A body's surface counts as
+  // flat about the contact: a strand that slides past an edge within the substep may be farther from it.
   double gap;
 } shx_contact;
 

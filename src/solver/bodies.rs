@@ -60,7 +60,8 @@ pub struct Contact {
     pub normal: Vector3<f64>,
     /// Force on the strand, N, world; the partner gets the opposite.
     pub force: Vector3<f64>,
-    /// Distance of the surfaces along the normal at the contact, m; negative where they overlap.
+    /// Distance of the surfaces along the normal at the contact, m; negative where they overlap. A body's surface counts as flat about
+    /// it: a strand that slides past an edge within the substep may be farther away.
     pub gap: f64,
     /// Slip of the strand over its partner during the substep, m, world, along the surface.
     pub slip: Vector3<f64>,

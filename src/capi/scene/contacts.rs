@@ -39,7 +39,8 @@ pub struct shx_contact {
     pub force: [f64; 3],
     /// How far the strand slid over its partner during the substep, m, world, along the surface.
     pub slip: [f64; 3],
-    /// Distance between the surfaces along the normal, m; negative if they penetrate.
+    /// Distance between the surfaces along the normal, m; negative if they penetrate. A body's surface counts as
+    /// flat about the contact: a strand that slides past an edge within the substep may be farther from it.
     pub gap: f64,
 }
 

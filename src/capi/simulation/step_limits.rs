@@ -29,7 +29,8 @@ pub struct shx_step_limits {
     /// one core. Work is counted, not timed, so results are identical to the bit on every machine and for any
     /// number of threads. 0 (default): shx_solver_options.max_work, or where that is 0 too 500 per element,
     /// and at least 450000: about half a second of one core for up to 900 elements, up to three times that in
-    /// a tangle.
+    /// a tangle. A search for contacts is always finished: a step may spend more by one of them, and limits
+    /// below its cost stop every step before a strand moves.
     pub max_work: u64,
     /// Maximum duration of the call, s. Results then depend on the clock. 0 (default):
     /// shx_solver_options.max_seconds, or where that is 0 too no limit. A step needs some time to finish after

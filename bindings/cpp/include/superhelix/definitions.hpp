@@ -284,7 +284,8 @@ struct step_limits : shx_step_limits {
   // Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of one core. Work is counted, not
   // timed, so results are identical to the bit on every machine and for any number of threads. 0 (default): shx_solver_options.max_work, or
   // where that is 0 too 500 per element, and at least 450000: about half a second of one core for up to 900 elements, up to three times
-  // that in a tangle.
+  // that in a tangle. A search for contacts is always finished: a step may spend more by one of them, and limits below its cost stop every
+  // step before a strand moves.
   step_limits &with_max_work(std::uint64_t value) {
     max_work = value;
     return *this;
@@ -1093,7 +1094,8 @@ struct strand_contact : shx_strand_contact {
     return *this;
   }
 
-  // Length from the follicle on that has no contacts, m; zero or above. Default 0.
+  // Length from the follicle on that has no contacts, m; zero or above. Default 0. Roots on the surface of a body, as those of
+  // shx_scalp_root_frames on its own mesh, need some millimetres.
   strand_contact &with_exempt_length(double value) {
     exempt_length = value;
     return *this;

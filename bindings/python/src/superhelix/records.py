@@ -298,7 +298,10 @@ class StepReport(Record):
     )
     contact_sweeps = IntField("Total number of sweeps of the contact solver.")
     max_contact_residual = FloatField("Largest residual of the contact and friction laws: see ContactOptions.residual.")
-    max_penetration = FloatField("Largest penetration depth at the end of a substep, m.")
+    max_penetration = FloatField(
+        "Largest penetration depth at the end of a substep, m. Surfaces that penetrate by less than the contact tolerance are "
+        "not always contacts, and may be left out."
+    )
     max_constraint_error = FloatField("Largest constraint error at the end of a substep, m.")
     roots_inside_bodies = IntField(
         "Number of strands whose root is deeper in a body than the contact tolerance at the end of the last substep, and not "
@@ -791,7 +794,10 @@ class StrandContact(Record):
         "strands (the mean of both strands); zero or above. Default 1e-4."
     )
     viscous_friction_against = FloatField("The same from tip to root. Default 1.5e-4.")
-    exempt_length = FloatField("Length from the follicle on that has no contacts, m; zero or above. Default 0.")
+    exempt_length = FloatField(
+        "Length from the follicle on that has no contacts, m; zero or above. Default 0. Roots on the surface of a body, as those "
+        "of shx_scalp_root_frames on its own mesh, need some millimetres."
+    )
 
     def __init__(
         self,
@@ -840,7 +846,10 @@ class ContactTable(Table):
     normal = FloatColumn("Unit normal from the partner to the strand, world.")
     force = FloatColumn("Force on the strand, N, world. The partner receives the opposite force.")
     slip = FloatColumn("How far the strand slid over its partner during the substep, m, world, along the surface.")
-    gap = FloatColumn("Distance between the surfaces along the normal, m; negative if they penetrate.")
+    gap = FloatColumn(
+        "Distance between the surfaces along the normal, m; negative if they penetrate. A body's surface counts as flat about "
+        "the contact: a strand that slides past an edge within the substep may be farther from it."
+    )
 
 
 class ContactEventTable(Table):

@@ -195,7 +195,8 @@ namespace Superhelix
     /// Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of one core. Work is counted,
     /// not timed, so results are identical to the bit on every machine and for any number of threads. 0 (default):
     /// shx_solver_options.max_work, or where that is 0 too 500 per element, and at least 450000: about half a second of one core for up to
-    /// 900 elements, up to three times that in a tangle.
+    /// 900 elements, up to three times that in a tangle. A search for contacts is always finished: a step may spend more by one of them,
+    /// and limits below its cost stop every step before a strand moves.
     /// </summary>
     public ulong MaxWork
     {

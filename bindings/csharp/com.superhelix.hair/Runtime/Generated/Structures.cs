@@ -169,7 +169,10 @@ namespace Superhelix
     public ulong ContactSweeps;
     /// <summary>Largest residual of the contact and friction laws: see shx_contact_options.residual.</summary>
     public double MaxContactResidual;
-    /// <summary>Largest penetration depth at the end of a substep, m.</summary>
+    /// <summary>
+    /// Largest penetration depth at the end of a substep, m. Surfaces that penetrate by less than the contact tolerance are not always
+    /// contacts, and may be left out.
+    /// </summary>
     public double MaxPenetration;
     /// <summary>Largest constraint error at the end of a substep, m.</summary>
     public double MaxConstraintError;
@@ -667,7 +670,10 @@ namespace Superhelix
     public double ViscousFrictionAlong;
     /// <summary>The same from tip to root. Default 1.5e-4.</summary>
     public double ViscousFrictionAgainst;
-    /// <summary>Length from the follicle on that has no contacts, m; zero or above. Default 0.</summary>
+    /// <summary>
+    /// Length from the follicle on that has no contacts, m; zero or above. Default 0. Roots on the surface of a body, as those of
+    /// shx_scalp_root_frames on its own mesh, need some millimetres.
+    /// </summary>
     public double ExemptLength;
 
     /// <summary>One with the defaults.</summary>
@@ -708,7 +714,10 @@ namespace Superhelix
     public Vec3 Force;
     /// <summary>How far the strand slid over its partner during the substep, m, world, along the surface.</summary>
     public Vec3 Slip;
-    /// <summary>Distance between the surfaces along the normal, m; negative if they penetrate.</summary>
+    /// <summary>
+    /// Distance between the surfaces along the normal, m; negative if they penetrate. A body's surface counts as flat about the contact: a
+    /// strand that slides past an edge within the substep may be farther from it.
+    /// </summary>
     public double Gap;
   }
 
