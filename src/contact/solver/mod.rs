@@ -8,7 +8,6 @@
 //! - `contact_space.rs`: The contact-space problem: the strands' responses at their attached points, and the constraints between these.
 //! - `dense.rs`: Small dense systems of equations.
 //! - `gauss_seidel.rs`: The contact-space problem solved by nonsmooth block Gauss–Seidel.
-//! - `partition.rs`: Divides a large problem into subdomains that threads sweep side by side.
 //! - `patch.rs`: Patches: where sweeps over a large problem make no progress it is for a few closely coupled contacts.
 //! - `rank.rs`: Cholesky's factorisation of a positive semidefinite matrix with pivoting: rows that depend on others are left out.
 //! - `sparse_newton.rs`: Newton's iteration on all contacts of a large problem at once, for where its forces are nearly right.
@@ -21,9 +20,8 @@ pub(super) mod conjugate;
 pub mod contact_space;
 pub(super) mod dense;
 pub mod gauss_seidel;
-pub mod partition;
 pub(super) mod patch;
 pub(super) mod rank;
 pub(super) mod sparse_newton;
-pub(super) mod subdomains;
+pub mod subdomains;
 pub mod system;

@@ -1,6 +1,12 @@
 //! The subdomains of a large problem, a binary tree: strands are in subdomains of the lowest level, two of these make one of
 //! the level above, and the highest one is the whole. A contact is in the smallest subdomain that has all its strands, so that
 //! subdomains of one level can be swept side by side after those below. They are numbered level by level, the lowest first.
+//!
+//! Files:
+//!
+//! - `partition.rs`: Divides a large problem into subdomains that threads sweep side by side.
+
+pub mod partition;
 
 use std::ops::Range;
 

@@ -8,7 +8,7 @@ use crate::contact::constraint::step_constraint::ConstraintKind;
 use crate::contact::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use crate::contact::solver::contact_space::{ContactSpace, End, SpaceConstraint};
 use crate::contact::solver::gauss_seidel::{GaussSeidel, Scales, Settings};
-use crate::contact::solver::partition::Partition;
+use crate::contact::solver::subdomains::partition::Partition;
 use crate::coupled::constrained_strand::Strands;
 use crate::error::Result;
 use crate::meter::Meter;

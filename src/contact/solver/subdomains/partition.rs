@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use super::subdomains::smallest;
+use super::smallest;
 
 /// Problems of fewer contacts are not divided: the overhead would exceed the gain.
 const LEAST: usize = 250;
