@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{BodyDef, ContactModel, Friction, Precision, Shape, Solver, SolverOptions, StrandContact};
 
+use super::random_bodies::prism;
 use super::rest_slide_capstan::{lying, tip};
 
 const GRAVITY: f64 = 9.81;
@@ -48,24 +49,6 @@ impl Groove {
             Self::Grid | Self::CoarseGrid => vec![grid(&whole)],
         }
     }
-}
-
-/// What lies from x = -0.05 to 0.3 m within an outline in y and z, whose corners go round the x axis.
-fn prism(outline: &[(f64, f64)]) -> (Vec<Vector3<f64>>, Vec<[u32; 3]>) {
-    let count = outline.len() as u32;
-    let vertices = [-0.05, 0.3].iter().flat_map(|x| outline.iter().map(|(y, z)| Vector3::new(*x, *y, *z))).collect();
-    let mut triangles = Vec::new();
-    for k in 0..count {
-        let next = (k + 1) % count;
-        triangles.extend([[k, next, count + next], [k, count + next, count + k]]);
-    }
-    // (All corners of an end are seen from the groove's bottom.)
-    let bottom = outline.iter().position(|corner| *corner == (0.0, 0.0)).unwrap_or(0) as u32;
-    for k in 1..count - 1 {
-        let [a, b] = [(bottom + k) % count, (bottom + k + 1) % count];
-        triangles.extend([[bottom, b, a], [count + bottom, count + a, count + b]]);
-    }
-    (vertices, triangles)
 }
 
 /// A strand falls into a groove between two bodies or in one, wherever it starts, and lies on its bottom.

@@ -99,6 +99,24 @@ pub fn sheet(half: f64, cells: u32) -> (Vec<Vector3<f64>>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
+/// What lies from x = -0.05 to 0.3 m within an outline in y and z, whose corners go round the x axis. All of them are seen from the corner (0, 0), or
+/// else from the first.
+pub fn prism(outline: &[(f64, f64)]) -> (Vec<Vector3<f64>>, Vec<[u32; 3]>) {
+    let count = outline.len() as u32;
+    let vertices = [-0.05, 0.3].iter().flat_map(|x| outline.iter().map(|(y, z)| Vector3::new(*x, *y, *z))).collect();
+    let mut triangles = Vec::new();
+    for k in 0..count {
+        let next = (k + 1) % count;
+        triangles.extend([[k, next, count + next], [k, count + next, count + k]]);
+    }
+    let seeing = outline.iter().position(|corner| *corner == (0.0, 0.0)).unwrap_or(0) as u32;
+    for k in 1..count - 1 {
+        let [a, b] = [(seeing + k) % count, (seeing + k + 1) % count];
+        triangles.extend([[seeing, b, a], [count + seeing, count + a, count + b]]);
+    }
+    (vertices, triangles)
+}
+
 /// A strand's elements from its root's rotation, its elements' lengths and curvatures.
 pub fn strand(rotation: &UnitQuaternion<f64>, length: f64, curvatures: &[[f64; 3]]) -> Vec<ElementState<f64>> {
     let mut frame = Mat3::from(Matrix3::from(rotation.to_rotation_matrix()));

@@ -8,9 +8,12 @@ use superhelix::internals::contact::narrow_phase::strand_body::{BodySearchScratc
 use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 use superhelix::{Frame, Shape};
 
-use super::random_bodies::{Dice, Moving, at_rest, ball, bumpy, strand};
+use super::random_bodies::{Dice, Moving, at_rest, ball, bumpy, prism, strand};
 
 const LENGTH: f64 = 0.02;
+
+/// How thick the slab is under a ridge, m.
+const SLAB: f64 = 0.02;
 
 /// Down to this depth all minima are looked for, m: half the small sphere's radius, a twentieth of the others' half width.
 const DEEP: f64 = 0.001;
@@ -192,48 +195,12 @@ fn a_strand_deep_inside_has_contacts() {
     }
 }
 
-/// A slab whose upper side rises by `slope` along x, with a ridge across it at x = 0 that is `height` high and goes down to the slab within `foot`.
+/// A slab whose upper side rises by `slope` along y, with a ridge across it at y = 0 that is `height` high and goes down to the slab within `foot`.
 fn ridged(slope: f64, height: f64, foot: f64) -> Shape {
-    let along = [-0.06, -0.04, -0.02, -0.01, -foot, 0.0, foot, 0.01, 0.02, 0.04, 0.06];
-    let across = [-0.02, 0.0, 0.02];
-    let mut vertices = Vec::new();
-    for bottom in [false, true] {
-        for y in across {
-            for x in along {
-                let top = slope * x + if x == 0.0 { height } else { 0.0 };
-                vertices.push(Vector3::new(x, y, if bottom { -0.02 } else { top }));
-            }
-        }
-    }
-    let (rows, columns) = (across.len() as u32, along.len() as u32);
-    let at = |bottom: bool, row: u32, column: u32| u32::from(bottom) * rows * columns + row * columns + column;
-    let mut triangles = Vec::new();
-    let mut quad = |a: u32, b: u32, c: u32, d: u32| triangles.extend([[a, b, c], [a, c, d]]);
-    for row in 0..rows - 1 {
-        for column in 0..columns - 1 {
-            let corners = |bottom| {
-                [
-                    at(bottom, row, column),
-                    at(bottom, row, column + 1),
-                    at(bottom, row + 1, column + 1),
-                    at(bottom, row + 1, column),
-                ]
-            };
-            let ([a, b, c, d], [e, f, g, h]) = (corners(false), corners(true));
-            quad(a, b, c, d);
-            quad(e, h, g, f);
-        }
-    }
-    for column in 0..columns - 1 {
-        quad(at(true, 0, column), at(true, 0, column + 1), at(false, 0, column + 1), at(false, 0, column));
-        let row = rows - 1;
-        quad(at(true, row, column + 1), at(true, row, column), at(false, row, column), at(false, row, column + 1));
-    }
-    for row in 0..rows - 1 {
-        quad(at(true, row + 1, 0), at(true, row, 0), at(false, row, 0), at(false, row + 1, 0));
-        let column = columns - 1;
-        quad(at(true, row, column), at(true, row + 1, column), at(false, row + 1, column), at(false, row, column));
-    }
+    let top = |y: f64, above: f64| (y, SLAB + slope * y + above);
+    let under = [(-0.06, 0.0), (0.0, 0.0), (0.06, 0.0)];
+    let over = [top(0.06, 0.0), top(foot, 0.0), top(0.0, height), top(-foot, 0.0), top(-0.06, 0.0)];
+    let (vertices, triangles) = prism(&[&under[..], &over].concat());
     Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap()
 }
 
@@ -251,12 +218,12 @@ fn a_ridge_is_not_missed_between_the_places_that_are_sampled() {
         let body = at_rest(&shape, Frame::default(), 0.0);
         // Through a point below the ridge's top, along a line that is a little steeper or less steep than the slab.
         let deep = dice.between(2e-5, 0.9 * height);
-        let direction = Vector3::new(1.0, dice.between(-0.5, 0.5), slope + dice.between(-0.05, 0.05)).normalize();
+        let direction = Vector3::new(dice.between(-0.5, 0.5), 1.0, slope + dice.between(-0.05, 0.05)).normalize();
         let turn = UnitQuaternion::rotation_between(&Vector3::x(), &direction).unwrap();
         let bend = [0.0, dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)];
         let mut moving = Moving::still(Vector3::zeros(), strand(&turn, LENGTH, &[bend; 3]));
         let place = moving.path().now.position(1, dice.unit() * LENGTH);
-        let through = Vector3::new(0.0, dice.between(-0.005, 0.005), height - deep);
+        let through = Vector3::new(dice.between(-0.005, 0.005), 0.0, SLAB + height - deep);
         (moving.now.0, moving.start.0) = (through - place, through - place);
         let found = moving.contacts(radius, &body, 1e-3);
         let known = found.iter().map(|contact| contact.gap).fold(0.0, f64::min);
@@ -265,7 +232,7 @@ fn a_ridge_is_not_missed_between_the_places_that_are_sampled() {
             let (element, s) = (sample / 200, (sample % 200) as f64 / 200.0 * LENGTH);
             let gap = gap(&moving, element, s, radius, &body);
             deepest = deepest.min(gap);
-            sunk |= gap < -radius && moving.path().now.position(element, s).x.abs() > foot;
+            sunk |= gap < -radius && moving.path().now.position(element, s).y.abs() > foot;
         }
         if sunk {
             // Its centre is in the slab, too.

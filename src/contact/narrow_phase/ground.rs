@@ -5,6 +5,7 @@ use std::cell::Cell;
 use nalgebra::Vector3;
 
 use super::descent::Sample;
+use super::element_path::ElementPath;
 use crate::contact::body_at::BodyAt;
 use crate::contact::shape::{Ball, Kind, Mesh, Patch, Sides, Surface};
 
@@ -70,6 +71,12 @@ impl Ground<'_> {
             }
         }
         Some(surface)
+    }
+
+    /// [`Ground::ask_among`] for the point at an arclength of an element, as a sample there.
+    pub fn sample_among(&self, balls: &[Ball], path: &ElementPath, s: f64, inside: Option<bool>) -> Option<Sample<Surface>> {
+        let (now, tangent) = path.now.at(s);
+        self.ask_among(balls, || path.start.at(s).0, now, inside).map(|surface| sample(s, surface, &tangent))
     }
 
     /// Whether the chord between two places goes through the surface of a solid mesh.

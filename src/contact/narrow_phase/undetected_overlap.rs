@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use super::across_edge::across_edge;
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
-use super::ground::{Ground, Node, sample};
+use super::ground::{Ground, Node};
 use crate::contact::shape::{Ball, Surface};
 
 /// A smaller overlap is left, m: half of what a step may leave.
@@ -54,32 +54,21 @@ pub(in crate::contact) fn find(
     if nearest.value >= bar {
         return None;
     }
-    let found = ask(ground, path, nearest.s).filter(|found| found.value < bar)?;
+    let found = ground.sample_among(&ground.patch.near, path, nearest.s, None).filter(|found| found.value < bar)?;
     // Where the piece goes through the triangle it is deeper on its way to another.
     let towards = if found.slope < 0.0 { right } else { left };
     let deepest = deepest(ground, path, found, towards).filter(|deepest| deepest.value < found.value);
     Some(deepest.unwrap_or(found))
 }
 
-/// The deepest point beside a node whose centre is inside a mesh, if it lies between that and one of its neighbours.
-pub(in crate::contact) fn below(
+/// The minimum of the distance to which it falls from a sample towards a node. None where it falls all the way.
+pub(in crate::contact) fn deepest(
     ground: &Ground,
     path: &ElementPath,
-    node: &Node,
-    neighbours: [Option<&Node>; 2],
+    from: Sample<Surface>,
+    towards: &Node,
 ) -> Option<Sample<Surface>> {
-    let from = node.sample.filter(|sample| sample.value < 0.0)?;
-    deepest(ground, path, from, neighbours[usize::from(from.slope < 0.0)]?)
-}
-
-fn ask(ground: &Ground, path: &ElementPath, s: f64) -> Option<Sample<Surface>> {
-    let (now, tangent) = path.now.at(s);
-    ground.ask(|| path.start.at(s).0, now, None).map(|surface| sample(s, surface, &tangent))
-}
-
-/// The minimum of the distance to which it falls from a sample towards a node.
-fn deepest(ground: &Ground, path: &ElementPath, from: Sample<Surface>, towards: &Node) -> Option<Sample<Surface>> {
-    let ask = |s: f64| ask(ground, path, s);
+    let ask = |s: f64| ground.sample_among(&ground.patch.near, path, s, None);
     let (mut found, around) = descent::fallen(from, towards.s, towards.sample, 0.5 * TOLERANCE, ask)?;
     if found.value < 0.0 {
         found.found = across_edge(&found, around, ask);

@@ -31,19 +31,16 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Adds the deepest points beside nodes that are inside a mesh and have no contact beside them.
+    /// Adds the deepest points beside nodes that are inside a mesh, where no contact is.
     pub(super) fn add_points_below(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node], from: usize) {
         for (k, node) in nodes.iter().enumerate() {
-            let Some(sample) = node.sample.filter(|sample| sample.value < 0.0) else { continue };
-            let neighbours = [k.checked_sub(1).map(|k| &nodes[k]), nodes.get(k + 1)];
-            let [low, high] = neighbours.map(|neighbour| neighbour.unwrap_or(node).s);
-            let gap = sample.value - self.thickness;
+            let Some(from_node) = node.sample.filter(|sample| sample.value < 0.0) else { continue };
+            let left = k.checked_sub(1).map(|left| &nodes[left]);
+            let Some(towards) = (if from_node.slope < 0.0 { nodes.get(k + 1) } else { left }) else { continue };
+            let (low, high, gap) = (node.s.min(towards.s), node.s.max(towards.s), from_node.value - self.thickness);
             let is_deeper = |contact: &ContactPoint| (low..=high).contains(&contact.point.s) && contact.gap < gap;
-            if self.out[from..].iter().any(is_deeper) {
-                continue;
-            }
-            if let Some(found) = undetected_overlap::below(ground, path, node, neighbours) {
-                self.scratch.more.push(found);
+            if !self.out[from..].iter().any(is_deeper) {
+                self.scratch.more.extend(undetected_overlap::deepest(ground, path, from_node, towards));
             }
         }
     }

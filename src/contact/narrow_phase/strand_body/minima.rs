@@ -5,7 +5,7 @@ use super::scratch::Piece;
 use crate::contact::narrow_phase::across_edge::across_edge;
 use crate::contact::narrow_phase::descent::{self, Sample};
 use crate::contact::narrow_phase::element_path::ElementPath;
-use crate::contact::narrow_phase::ground::{Ground, Node, sample};
+use crate::contact::narrow_phase::ground::{Ground, Node};
 use crate::contact::narrow_phase::undetected_overlap;
 use crate::contact::shape::{Ball, Surface, Tube};
 
@@ -61,10 +61,7 @@ impl Search<'_, '_> {
             let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
             let outside = out(&pair[0]) && out(&pair[1]) && !ground.is_pierced(&pair[0].now, &pair[1].now);
             let inside = outside.then_some(false);
-            let ask = |s: f64| {
-                let (now, tangent) = path.now.at(s);
-                ground.ask_among(&close, || path.start.at(s).0, now, inside).map(|surface| sample(s, surface, &tangent))
-            };
+            let ask = |s: f64| ground.sample_among(&close, path, s, inside);
             let none_close = ground.mesh.is_some() && close.is_empty();
             pieces.clear();
             pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
