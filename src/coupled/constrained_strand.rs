@@ -37,6 +37,9 @@ use crate::step::constrained::step::{ConstrainedStep, WorldConstraint};
 const ONE_PLACE: f64 = 1e-6;
 const ONE_SIDE: f64 = 0.99;
 
+/// A contact nearer to the root than this many radii is the root's: so short a piece is as stiff as what holds it, and no force moves it.
+const AT_ROOT: f64 = 4.0;
+
 /// A strand's end is rejected if its Lagrangian has risen by more than this fraction of the energy of moving by its own length
 /// in the step.
 const RISEN: f64 = 1e-6;
@@ -198,7 +201,7 @@ impl ConstrainedStrand {
         }
         let root_gap = &mut self.root_gap;
         self.found.retain(|contact| {
-            let at_root = contact.point.element == 0 && contact.point.s == 0.0;
+            let at_root = contact.point.element == 0 && contact.point.s <= AT_ROOT * radius;
             *root_gap = if at_root { root_gap.min(contact.gap) } else { *root_gap };
             !at_root
         });
