@@ -102,6 +102,11 @@ impl<'a> BodyAt<'a> {
         self.shape.closest(self.axes_start.tr_mul(&(at - self.start.origin)), within)
     }
 
+    /// Where a point of the world begins and ends in the body's axes, m.
+    pub(super) fn way(&self, start: Vector3<f64>, now: Vector3<f64>) -> [Vector3<f64>; 2] {
+        [self.axes_start.tr_mul(&(start - self.start.origin)), self.axes_end.tr_mul(&(now - self.end.origin))]
+    }
+
     /// The depth of a point of the world in the body when the substep began, m, if it is no more than `within`; a mesh that
     /// deforms is taken as it is at the end.
     pub fn depth_at_start(&self, at: Vector3<f64>, within: f64) -> f64 {

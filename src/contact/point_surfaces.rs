@@ -3,11 +3,12 @@
 use nalgebra::Vector3;
 
 use super::body_at::BodyAt;
+use super::ccd::entrance::entered;
 use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::Surface;
 use crate::math::vector::Vec3;
-use crate::step::at_points::surfaces::{NEAR, NearestSurfaces, SurfaceAtPoint, Surfaces};
+use crate::step::at_points::surfaces::{Entered, NEAR, NearestSurfaces, SHORT, SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;
@@ -113,5 +114,31 @@ impl Surfaces for StrandSurfaces<'_> {
         let margin = self.contact.radius + body.thickness;
         let surface = body.closest_at_start(start.into(), margin + REACH);
         surface.map_or(0.0, |surface| margin - surface.distance - self.permitted(arclength))
+    }
+
+    fn way(&self, start: Vec3<f64>, now: Vec3<f64>) -> f64 {
+        let ways = self.near.iter().map(|index| {
+            let [from, to] = self.bodies[*index as usize].way(start.into(), now.into());
+            (to - from).norm_squared()
+        });
+        ways.fold(0.0, f64::max).sqrt()
+    }
+
+    fn entered(&self, arclength: f64, [start, now]: [Vec3<f64>; 2], gap: f64) -> Option<Entered> {
+        if arclength < self.contact.exempt_length {
+            return None;
+        }
+        self.near.iter().find_map(|index| {
+            let body = &self.bodies[*index as usize];
+            let ends = body.way(start.into(), now.into());
+            let length = (ends[1] - ends[0]).norm();
+            if length < SHORT || gap > body.shape.distance_slope() * length {
+                return None;
+            }
+            let (place, surface) = entered(body.shape, ends, self.contact.radius + body.thickness)?;
+            let place = body.end.origin + body.to_world(&place);
+            let found = Found { gap: surface.distance - (self.contact.radius + body.thickness), body, surface };
+            Some(Entered { surface: self.surface(&found, 0.0), place: place.into() })
+        })
     }
 }

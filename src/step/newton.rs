@@ -43,6 +43,9 @@ const STALLED: f64 = 0.5;
 /// The error of an element that rounding alone may cause in a strand of N elements, rad: this times N + 8 distances from 1 to the
 /// next number.
 const ROUNDING: f64 = 2.0;
+/// A strand whose contacts have not settled after this many iterations may go to and fro between them for ever: from then on it goes ever smaller
+/// parts of the way.
+const ALL_THE_WAY: u32 = 12;
 /// Largest number of dampings in an iteration: 4⁴⁰ spans the relevant range of f64.
 pub(super) const MAX_DAMPINGS: u32 = 40;
 /// What the iteration tracks for every lane; lanes are sets of bits.
@@ -123,9 +126,11 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         if running == 0 {
             break;
         }
+        let mut unsettled = 0;
         if let Some(touching) = touching {
             let changed = touching.look(it, running, iteration == 1);
             pressed = touching.with_contacts(it, running);
+            unsettled = changed | pressed;
             for lane in lanes(checking & !changed) {
                 outcomes[lane].converged = true;
             }
@@ -156,6 +161,9 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             outcome.residual = rotation;
             rotations[lane] = rotation;
             part[lane] = line_search::first_fraction(rotation, S::ROTATION_LIMIT);
+            if iteration > ALL_THE_WAY && unsettled >> lane & 1 == 1 {
+                part[lane] *= f64::from(ALL_THE_WAY) / f64::from(iteration);
+            }
             // This near the minimum an f32 potential shows only rounding, and the full step is right.
             if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST * rounding && found.repaired.lane(lane) == 0.0 {
                 trusted |= 1 << lane;

@@ -1,6 +1,7 @@
 //! Contact of strands with bodies and with each other: detection, laws, solver, whole scenes.
 
 mod at_points;
+mod at_points_at_speed;
 mod comb_through_rooted_hair;
 mod contact_space_solver;
 mod crowded_scene;

@@ -7,7 +7,7 @@
 //! 100 k, at which a point sticks. N is the force at the last iterate. Surfaces are asked for in every iteration; Newton's
 //! method on such a potential is semismooth (Hintermüller, Ito and Kunisch 2002).
 
-use super::probes::{Asks, Line, Point, Start};
+use super::probes::{Line, Point, Start};
 use super::springs::{PointContacts, Spring};
 use super::surfaces::{DepthAtPoints, PointContact, PointContactOptions, SURFACES_AT_POINT, SurfaceAtPoint, Surfaces};
 use super::touches::{Side, Slot, Touch};
@@ -114,7 +114,7 @@ impl Touching<'_> {
     ) -> f64 {
         let mut uncovered = 0.0_f64;
         let places = self.with_line(it, lane, |line| {
-            line.ask(&Asks { surfaces, is_first, separation: self.options.separation });
+            line.ask(surfaces, is_first, self.options.separation);
         });
         let points = it.contacts.points.len();
         for p in 0..points {

@@ -3,7 +3,7 @@
 //!
 //! A place between two points has no force of its own: if it is deeper in a body than they are, both bear it.
 
-use super::surfaces::{NEAR, SURFACES_AT_POINT, Surfaces};
+use super::surfaces::{Entered, NEAR, SHORT, SURFACES_AT_POINT, Surfaces};
 use super::touches::{OtherSides, Side, Sides, Touch, Touches, known_in};
 use crate::math::vector::Vec3;
 
@@ -12,6 +12,10 @@ const SLOPE: f64 = 1.25;
 
 /// The least cosine of the angle between a strand and the normal of a surface that it meets end on.
 const END_ON: f64 = 0.7;
+
+/// A place that has come into a body is still behind the side through which it came if it is deeper there than this, m: what is nearest to it may
+/// push it out on the other side.
+const BEHIND: f64 = 5e-4;
 
 /// Places between points are interpolated from this many.
 const STENCIL: usize = 4;
@@ -46,6 +50,37 @@ impl Place {
         }
     }
 
+    /// The side through which it has come into a body since the step began, if it has, with its gap now. It stays one for the whole step: else
+    /// a place that it has sent back would come in again.
+    fn entered(
+        &mut self,
+        near: &mut NearPlaces,
+        asks: &Asks,
+        arclength: f64,
+        now: Vec3<f64>,
+        start: impl Fn() -> Vec3<f64>,
+    ) -> Option<Side> {
+        if near.has_entered
+            && let Some(side) = self.near.and_then(|at| near.places[at as usize].entered)
+        {
+            return Some(side.at(now));
+        }
+        if asks.way < SHORT || self.gap > SLOPE * asks.way {
+            return None;
+        }
+        let Entered { surface, place } = asks.surfaces.entered(arclength, [start(), now], self.gap)?;
+        let side = Side::new(&surface, place);
+        known_in(&mut near.places, &mut self.near, NearPlace::NEW).entered = Some(side);
+        near.has_entered = true;
+        Some(side.at(now))
+    }
+
+    /// Whether it has come into a body in this step.
+    fn has_entered(&self, near: &Near) -> bool {
+        let NearPlaces { places, has_entered, .. } = &near.places;
+        *has_entered && self.near.is_some_and(|at| places[at as usize].entered.is_some())
+    }
+
     /// Asks which surfaces are nearest to it. Calls `take` with those that are near, and its depth in each when the step began; returns
     /// the smallest gap, overlaps that are permitted counted.
     fn ask(
@@ -58,22 +93,24 @@ impl Place {
         mut take: impl FnMut(Side, f64),
     ) -> f64 {
         self.at = now;
-        let found = match asks.surfaces.nearest(arclength, now) {
-            Ok(found) => found,
-            Err(at_least) => {
-                self.gap = at_least;
-                return at_least;
-            }
-        };
-        self.gap = found.nearest.gap;
+        let found = asks.surfaces.nearest(arclength, now);
+        self.gap = found.as_ref().map_or_else(|at_least| *at_least, |found| found.nearest.gap);
+        let entered = self.entered(near, asks, arclength, now, &start);
+        if let Some(side) = entered {
+            take(side, 0.0);
+        }
+        let Ok(found) = found else { return self.gap };
         if self.gap < NEAR {
-            let NearPlaces { places, sides } = near;
+            let NearPlaces { places, sides, .. } = near;
             let near = known_in(places, &mut self.near, NearPlace::NEW);
             let nearest = Side::new(&found.nearest, now);
             let next = found.next.filter(|next| next.gap < NEAR).map(|next| Side::new(&next, now));
             let [leaning, other] = near.sides.keep(sides, nearest, now);
+            let behind = entered.filter(|side| side.surface.gap < -BEHIND).map(|side| side.surface.body);
             for side in [Some(nearest), next, leaning, other].into_iter().flatten() {
-                take(side, near.depth_at_start(asks, arclength, side.surface.body, &start));
+                if behind != Some(side.surface.body) {
+                    take(side, near.depth_at_start(asks, arclength, side.surface.body, &start));
+                }
             }
         }
         self.gap - found.nearest.permitted
@@ -87,10 +124,12 @@ pub(super) struct NearPlace {
     start_depth: [Option<(u32, f64)>; SURFACES_AT_POINT],
     /// The sides of a crease that it is in.
     sides: Sides,
+    /// The side through which it has come into a body in this step, where it had not been near.
+    entered: Option<Side>,
 }
 
 impl NearPlace {
-    const NEW: Self = Self { start_depth: [None; SURFACES_AT_POINT], sides: Sides::NONE };
+    const NEW: Self = Self { start_depth: [None; SURFACES_AT_POINT], sides: Sides::NONE, entered: None };
 
     /// How deep it was in a body when the step began, m; zero for outside.
     fn depth_at_start(&mut self, asks: &Asks, arclength: f64, body: u32, start: impl Fn() -> Vec3<f64>) -> f64 {
@@ -132,6 +171,8 @@ struct NearPlaces {
     places: Vec<NearPlace>,
     /// Sides of creases that some of them are in.
     sides: Vec<OtherSides>,
+    /// Whether one of them has come into a body in this step.
+    has_entered: bool,
 }
 
 impl Near {
@@ -139,6 +180,7 @@ impl Near {
     pub fn clear(&mut self) {
         self.places.places.clear();
         self.places.sides.clear();
+        self.places.has_entered = false;
         self.touches.clear();
     }
 
@@ -149,12 +191,12 @@ impl Near {
 }
 
 /// How a strand's surfaces are asked for.
-pub(super) struct Asks<'a> {
-    pub surfaces: &'a dyn Surfaces,
-    /// Whether nothing has been asked in this step.
-    pub is_first: bool,
-    /// How far surfaces that overlap when the step begins come apart in it, m.
-    pub separation: f64,
+struct Asks<'a> {
+    surfaces: &'a dyn Surfaces,
+    is_first: bool,
+    separation: f64,
+    /// The longest way of a point past a body since the step began, m.
+    way: f64,
 }
 
 impl Asks<'_> {
@@ -206,17 +248,31 @@ pub(super) struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// Asks where the surfaces are, as far as it is not known that they are not near.
-    pub fn ask(&mut self, asks: &Asks) {
-        let margin = if asks.is_first { NEAR } else { 0.0 };
+    /// Asks where the surfaces are, as far as it is not known that they are not near; `is_first`: nothing has been asked in this step.
+    /// Surfaces that overlap when the step begins come apart by `separation` (m) in it.
+    pub fn ask(&mut self, surfaces: &dyn Surfaces, is_first: bool, separation: f64) {
+        let way = self.way(surfaces);
+        let asks = &Asks { surfaces, is_first, separation, way };
+        // What has gone a long way before anything was asked may be beyond a body by now.
+        let margin = match is_first {
+            true if way >= SHORT => SLOPE * way,
+            true => NEAR,
+            false => 0.0,
+        };
         for (point, known) in self.points.iter_mut().zip(&mut *self.known) {
-            point.pressed = self.near.touches.begin(known.touches);
+            point.pressed = self.near.touches.begin(known.touches) || known.own.has_entered(self.near);
         }
         self.ask_at_points(asks, margin);
         if self.points.len() >= 2 {
             self.ask_between(asks, margin);
         }
         self.leave_pierced();
+    }
+
+    /// The longest way of a point past a body since the step began, m, by one point in a few.
+    fn way(&self, surfaces: &dyn Surfaces) -> f64 {
+        let ends = self.points.iter().zip(self.starts).rev().step_by(STENCIL);
+        ends.map(|(point, start)| surfaces.way(start.at, point.now)).fold(0.0, f64::max)
     }
 
     fn ask_at_points(&mut self, asks: &Asks, margin: f64) {
@@ -252,7 +308,8 @@ impl Line<'_> {
         for p in 0..self.points.len() {
             let arclength = self.beside(p);
             let (here, next) = (&self.points[p], self.points.get(p + 1));
-            let pressed = here.pressed || next.is_some_and(|next| next.pressed);
+            let entered = self.known[p].beside.has_entered(self.near);
+            let pressed = entered || here.pressed || next.is_some_and(|next| next.pressed);
             let mut least = here.least - SLOPE * (arclength - self.starts[p].arclength);
             if let Some(next) = next {
                 least = least.max(next.least - SLOPE * (self.starts[p + 1].arclength - arclength));

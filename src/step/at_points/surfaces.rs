@@ -42,6 +42,9 @@ pub struct SurfaceAtPoint {
 /// Surfaces this near may touch a point that lay on them when the step began, m.
 pub const NEAR: f64 = 1e-3;
 
+/// A way this short leads through nothing, m.
+pub const SHORT: f64 = 1e-3;
+
 /// How many surfaces may hold a point at a time.
 pub const SURFACES_AT_POINT: usize = 3;
 
@@ -68,6 +71,20 @@ pub trait Surfaces {
     fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<NearestSurfaces, f64>;
     /// How deep the point, at `start` then, was in the body when the step began, m; zero or less for outside.
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
+    /// The longest way of a point past one of the bodies, in that body's axes, m.
+    fn way(&self, start: Vec3<f64>, now: Vec3<f64>) -> f64;
+    /// The surface of a body through which the straight way of a point leads that began outside it; None where there is none, or where the
+    /// surface that is nearest at the end faces the same way. `gap` (m): no gap at the end is smaller.
+    fn entered(&self, arclength: f64, way: [Vec3<f64>; 2], gap: f64) -> Option<Entered>;
+}
+
+/// A surface through which a point has come.
+#[derive(Debug, Clone, Copy)]
+pub struct Entered {
+    /// The surface, with its gap at `place`.
+    pub surface: SurfaceAtPoint,
+    /// A place by it, m, world.
+    pub place: Vec3<f64>,
 }
 
 /// A contact at the end of a step.

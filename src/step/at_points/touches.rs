@@ -62,10 +62,15 @@ impl Side {
         self.surface.normal.dot(now - self.from) + self.surface.permitted - self.surface.margin
     }
 
-    /// Its tangent plane, for a place that is now at `now`, if that still tells of the surface.
+    /// Its tangent plane, for a place that is now at `now`.
+    pub fn at(mut self, now: Vec3<f64>) -> Self {
+        self.surface.gap = self.gap(now);
+        self
+    }
+
+    /// The same, if that still tells of the surface.
     fn carried(&self, now: Vec3<f64>) -> Option<Self> {
-        let mut side = *self;
-        side.surface.gap = self.gap(now);
+        let side = self.at(now);
         (side.surface.gap < NEAR && (now - self.from).norm_squared() < KEPT * KEPT).then_some(side)
     }
 }
