@@ -2,7 +2,7 @@
 # The public Rust interface as text, compared with abi/rust.txt. Usage: scripts/rust_api.sh [--bless|--install]
 #   (nothing)   fails where the interface differs from the text; says so where cargo-public-api is not installed
 #   --bless     writes the text
-#   --install   installs cargo-public-api into build/tools, where the registry can be reached
+#   --install   installs cargo-public-api into build/tools, where the registry can be reached (unoptimised: it compiles for longer than it runs)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -11,7 +11,7 @@ PATH=$PWD/build/tools/bin:$PATH
 installed() { [ "$(cargo-public-api --version 2>/dev/null)" = "cargo-public-api $version" ]; }
 
 if [ "${1:-}" = --install ]; then
-  installed || cargo install --quiet --locked --root build/tools cargo-public-api@$version ||
+  installed || cargo install --quiet --locked --debug --root build/tools cargo-public-api@$version ||
     echo "rust_api.sh: cargo-public-api $version could not be installed: the registry is out of reach, perhaps" >&2
   exit 0
 fi
@@ -20,11 +20,14 @@ if ! installed; then
   exit 0
 fi
 
-# The compiler's description of the interface as JSON is unstable, and so is asked for as if this were a nightly compiler. In a directory of its
-# own: that variable has cargo compile everything again.
+# The description of the interface as JSON is unstable, and so is asked for as if rustdoc were of a nightly compiler. Of rustdoc alone: that variable
+# would have cargo compile everything again.
 target=${CARGO_TARGET_DIR:-target}/rust-api
-RUSTC_BOOTSTRAP=1 cargo rustdoc --quiet --locked --lib --target-dir "$target" -- -Z unstable-options --output-format json --cap-lints allow
-if ! cargo-public-api public-api -sss --rustdoc-json "$target/doc/superhelix.json" >"$target/rust.txt" 2>"$target/errors.txt"; then
+mkdir -p "$target"
+printf '#!/bin/sh\nRUSTC_BOOTSTRAP=1 exec rustdoc "$@"\n' >"$target/rustdoc"
+chmod +x "$target/rustdoc"
+RUSTDOC=$(realpath "$target/rustdoc") cargo rustdoc --quiet --locked --all-features --lib -- -Z unstable-options --output-format json --cap-lints allow
+if ! cargo-public-api public-api -sss --rustdoc-json "${CARGO_TARGET_DIR:-target}/doc/superhelix.json" >"$target/rust.txt" 2>"$target/errors.txt"; then
   if grep -qi 'format.version\|rustdoc JSON' "$target/errors.txt"; then
     echo "rust_api.sh: skipped: cargo-public-api $version does not read what $(rustc --version) writes"
     exit 0

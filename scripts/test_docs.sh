@@ -12,7 +12,7 @@ python3 scripts/docs/folders.py --check
 . scripts/test_library.sh
 target=${CARGO_TARGET_DIR:-$PWD/target}
 # What `cargo test` has compiled already.
-cargo build --quiet --locked --all-features --lib --bin superhelix
+build_binary
 . scripts/python_test_env.sh
 
 csharp=()

@@ -9,6 +9,12 @@ fi
 library=$(cd "$SUPERHELIX_BUILD/lib" && pwd)
 headers=$(cd "$SUPERHELIX_BUILD/include" && pwd)
 
+# build_binary: the `superhelix` of `cargo test`. With an example beside it, the dependencies have the features that they have for tests: else cargo
+# compiles the library a second time.
+build_binary() {
+  cargo build --quiet --locked --all-features --lib --bin superhelix --example c_library
+}
+
 # prints_as_c FOLDER COMMAND ...: the command is examples_c/hello.c in another language, and prints the same.
 prints_as_c() {
   local folder=$1

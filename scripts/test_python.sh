@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 . scripts/test_library.sh
 SUPERHELIX_LIBRARY=$library/libsuperhelix.so
 if [ -z "${SUPERHELIX_BINARY:-}" ]; then
-  cargo build --quiet --locked --all-features --bin superhelix
+  build_binary
   SUPERHELIX_BINARY=${CARGO_TARGET_DIR:-$PWD/target}/debug/superhelix
 fi
 export SUPERHELIX_LIBRARY SUPERHELIX_BINARY
