@@ -6,9 +6,9 @@ use super::body_at::BodyAt;
 use super::ccd::entrance::entered;
 use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
-use super::shape::Surface;
+use super::shape::{STEEPEST_DISTANCE, Surface};
 use crate::math::vector::Vec3;
-use crate::step::at_points::surfaces::{Entered, NEAR, NearestSurfaces, SHORT, SurfaceAtPoint, Surfaces};
+use crate::step::at_points::surfaces::{Entered, NEAR, NearestSurfaces, STEEPEST, SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;
@@ -18,6 +18,8 @@ const KNOWN: f64 = 2e-3;
 const ROUNDED_CELLS: f64 = 0.6;
 /// No surface is asked for that is farther, m.
 const FAR: f64 = 0.1;
+
+const _: () = assert!(STEEPEST >= STEEPEST_DISTANCE);
 
 /// What a strand may touch.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +35,11 @@ pub struct StrandSurfaces<'a> {
 }
 
 impl StrandSurfaces<'_> {
+    /// How far its axis is from a body's surface where they touch, m.
+    fn margin(&self, body: &BodyAt) -> f64 {
+        self.contact.radius + body.thickness
+    }
+
     /// The depth in a body that counts for none at an arclength, m.
     fn permitted(&self, arclength: f64) -> f64 {
         self.permitted_overlap.map_or(0.0, |permitted| permitted.sunk(arclength))
@@ -47,7 +54,7 @@ impl<'a> StrandSurfaces<'a> {
             feature: surface.feature,
             gap: gap + permitted,
             permitted,
-            margin: self.contact.radius + body.thickness,
+            margin: self.margin(body),
             rounding: body.shape.grid().map_or(0.0, |grid| ROUNDED_CELLS * grid.cell()),
             normal: body.to_world(&surface.normal).into(),
             carried: body.carried(surface).into(),
@@ -70,12 +77,12 @@ impl Surfaces for StrandSurfaces<'_> {
             // How near a surface is here says nothing of the points that take part.
             return Err(0.0);
         }
-        let (radius, at) = (self.contact.radius, Vector3::from(now));
+        let at = Vector3::from(now);
         let mut nearest: Result<Found, f64> = Err(FAR);
         let mut next: Option<Found> = None;
         for index in self.near {
             let body = &self.bodies[*index as usize];
-            let margin = radius + body.thickness;
+            let margin = self.margin(body);
             let limit = match (&nearest, &next) {
                 (Err(far), _) => *far,
                 (Ok(first), None) => first.gap.max(NEAR),
@@ -111,7 +118,7 @@ impl Surfaces for StrandSurfaces<'_> {
 
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64 {
         let body = &self.bodies[body as usize];
-        let margin = self.contact.radius + body.thickness;
+        let margin = self.margin(body);
         let surface = body.closest_at_start(start.into(), margin + REACH);
         surface.map_or(0.0, |surface| margin - surface.distance - self.permitted(arclength))
     }
@@ -132,12 +139,13 @@ impl Surfaces for StrandSurfaces<'_> {
             let body = &self.bodies[*index as usize];
             let ends = body.way(start.into(), now.into());
             let length = (ends[1] - ends[0]).norm();
-            if length < SHORT || gap > body.shape.distance_slope() * length {
+            if length < NEAR || gap > body.shape.distance_slope() * length {
                 return None;
             }
-            let (place, surface) = entered(body.shape, ends, self.contact.radius + body.thickness)?;
+            let margin = self.margin(body);
+            let (place, surface) = entered(body.shape, ends, margin)?;
             let place = body.end.origin + body.to_world(&place);
-            let found = Found { gap: surface.distance - (self.contact.radius + body.thickness), body, surface };
+            let found = Found { gap: surface.distance - margin, body, surface };
             Some(Entered { surface: self.surface(&found, 0.0), place: place.into() })
         })
     }

@@ -37,7 +37,8 @@ use crate::step::constrained::step::{ConstrainedStep, WorldConstraint};
 const ONE_PLACE: f64 = 1e-6;
 const ONE_SIDE: f64 = 0.99;
 
-/// A contact nearer to the root than this many radii is the root's: so short a piece is as stiff as what holds it, and no force moves it.
+/// A contact nearer to the root than this many radii is the root's: so short a piece is as stiff as what holds it, and no force moves it. A strand
+/// that leaves a surface at 15 degrees overlaps with it as far.
 const AT_ROOT: f64 = 4.0;
 
 /// A strand's end is rejected if its Lagrangian has risen by more than this fraction of the energy of moving by its own length

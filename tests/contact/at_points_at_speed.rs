@@ -104,11 +104,13 @@ fn bodies_that_pass_at_speed_leave_nothing_behind() {
             last = report.energies;
         }
         solver.remove_bodies(&bodies).unwrap();
+        // Of when the body went, not of a step later: hair that was thrown loses up to a fifth of its motion in the first step, where shorter steps
+        // lose a tenth, and has it back in the second.
         let (before, moving) = (last.kinetic + last.elastic + last.gravity, last.kinetic + last.elastic);
         for step in 0..60 {
             let energies = solver.step(STEP, 1).unwrap().energies;
             let now = energies.kinetic + energies.elastic + energies.gravity;
-            assert!(now <= before + 0.05 * moving, "case {case} step {step}: {before:e} to {now:e}, {moving:e} in motion");
+            assert!(now <= before + 0.02 * moving, "case {case} step {step}: {before:e} to {now:e}, {moving:e} in motion");
         }
     }
 }

@@ -137,7 +137,7 @@ fn a_root_on_the_surface_is_not_inside_by_the_defaults() {
 /// of a millimetre of a strand are as deep as the tolerance, and bent skin brings them deeper.
 #[test]
 fn hair_that_grows_on_a_mesh_converges_by_the_defaults() {
-    let (vertices, triangles) = bumpy(0.1, 3);
+    let (vertices, triangles) = bumpy(0.1, 4);
     let shape = Arc::new(Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap());
     let options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), ..SolverOptions::default() };
     let mut solver = Solver::new(options).unwrap();

@@ -33,6 +33,9 @@ pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};
 
+/// The largest [`Shape::distance_slope`].
+pub(in crate::contact) const STEEPEST_DISTANCE: f64 = 1.25;
+
 /// The shape of a body, in the body's own axes. Made by the functions `new_…`, which check their arguments.
 ///
 /// ```
@@ -216,7 +219,7 @@ impl Shape {
     /// there than what they go through.
     pub fn distance_slope(&self) -> f64 {
         match &self.0 {
-            Kind::Grid(_) => 1.25,
+            Kind::Grid(_) => STEEPEST_DISTANCE,
             _ => 1.0,
         }
     }

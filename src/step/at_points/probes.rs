@@ -3,12 +3,9 @@
 //!
 //! A place between two points has no force of its own: if it is deeper in a body than they are, both bear it.
 
-use super::surfaces::{Entered, NEAR, SHORT, SURFACES_AT_POINT, Surfaces};
+use super::surfaces::{Entered, NEAR, STEEPEST, SURFACES_AT_POINT, Surfaces};
 use super::touches::{OtherSides, Side, Sides, Touch, Touches, known_in};
 use crate::math::vector::Vec3;
-
-/// The most that a gap changes over a distance, see `Shape::distance_slope`.
-const SLOPE: f64 = 1.25;
 
 /// The least cosine of the angle between a strand and the normal of a surface that it meets end on.
 const END_ON: f64 = 0.7;
@@ -36,7 +33,7 @@ impl Place {
 
     /// No gap of it is smaller than this now.
     fn least(&self, now: Vec3<f64>) -> f64 {
-        self.gap - SLOPE * distance(now, self.at)
+        self.gap - STEEPEST * distance(now, self.at)
     }
 
     /// Its gap now, if that may be below `limit` (m); else infinity.
@@ -52,27 +49,20 @@ impl Place {
 
     /// The side through which it has come into a body since the step began, if it has, with its gap now. It stays one for the whole step: else
     /// a place that it has sent back would come in again.
-    fn entered(
-        &mut self,
-        near: &mut NearPlaces,
-        asks: &Asks,
-        arclength: f64,
-        now: Vec3<f64>,
-        start: impl Fn() -> Vec3<f64>,
-    ) -> Option<Side> {
+    fn entered(&mut self, near: &mut NearPlaces, look: &Look<impl Fn() -> Vec3<f64>>) -> Option<Side> {
         if near.has_entered
             && let Some(side) = self.near.and_then(|at| near.places[at as usize].entered)
         {
-            return Some(side.at(now));
+            return Some(side.at(look.now));
         }
-        if asks.way < SHORT || self.gap > SLOPE * asks.way {
+        if !look.asks.leads_far() || self.gap > STEEPEST * look.asks.way {
             return None;
         }
-        let Entered { surface, place } = asks.surfaces.entered(arclength, [start(), now], self.gap)?;
+        let Entered { surface, place } = look.asks.surfaces.entered(look.arclength, [(look.start)(), look.now], self.gap)?;
         let side = Side::new(&surface, place);
         known_in(&mut near.places, &mut self.near, NearPlace::NEW).entered = Some(side);
         near.has_entered = true;
-        Some(side.at(now))
+        Some(side.at(look.now))
     }
 
     /// Whether it has come into a body in this step.
@@ -81,23 +71,16 @@ impl Place {
         *has_entered && self.near.is_some_and(|at| places[at as usize].entered.is_some())
     }
 
-    /// Asks which surfaces are nearest to it. Calls `take` with those that are near, and its depth in each when the step began; returns
-    /// the smallest gap, overlaps that are permitted counted.
-    fn ask(
-        &mut self,
-        near: &mut NearPlaces,
-        asks: &Asks,
-        arclength: f64,
-        now: Vec3<f64>,
-        start: impl Fn() -> Vec3<f64>,
-        mut take: impl FnMut(Side, f64),
-    ) -> f64 {
+    /// Asks which surfaces are nearest to it. Calls `take` with those that are near, as touches; returns the smallest gap, overlaps that are
+    /// permitted counted.
+    fn ask(&mut self, near: &mut NearPlaces, look: &Look<impl Fn() -> Vec3<f64>>, mut take: impl FnMut(Touch)) -> f64 {
+        let Look { asks, now, .. } = *look;
         self.at = now;
-        let found = asks.surfaces.nearest(arclength, now);
+        let found = asks.surfaces.nearest(look.arclength, now);
         self.gap = found.as_ref().map_or_else(|at_least| *at_least, |found| found.nearest.gap);
-        let entered = self.entered(near, asks, arclength, now, &start);
+        let entered = self.entered(near, look);
         if let Some(side) = entered {
-            take(side, 0.0);
+            take(asks.touch(side, 0.0));
         }
         let Ok(found) = found else { return self.gap };
         if self.gap < NEAR {
@@ -109,7 +92,7 @@ impl Place {
             let behind = entered.filter(|side| side.surface.gap < -BEHIND).map(|side| side.surface.body);
             for side in [Some(nearest), next, leaning, other].into_iter().flatten() {
                 if behind != Some(side.surface.body) {
-                    take(side, near.depth_at_start(asks, arclength, side.surface.body, &start));
+                    take(asks.touch(side, near.depth_at_start(look, side.surface.body)));
                 }
             }
         }
@@ -132,11 +115,11 @@ impl NearPlace {
     const NEW: Self = Self { start_depth: [None; SURFACES_AT_POINT], sides: Sides::NONE, entered: None };
 
     /// How deep it was in a body when the step began, m; zero for outside.
-    fn depth_at_start(&mut self, asks: &Asks, arclength: f64, body: u32, start: impl Fn() -> Vec3<f64>) -> f64 {
+    fn depth_at_start(&mut self, look: &Look<impl Fn() -> Vec3<f64>>, body: u32) -> f64 {
         if let Some((_, depth)) = self.start_depth.iter().flatten().find(|(of, _)| *of == body) {
             return *depth;
         }
-        let depth = asks.surfaces.depth_at_start(arclength, body, start()).max(0.0);
+        let depth = look.asks.surfaces.depth_at_start(look.arclength, body, (look.start)()).max(0.0);
         self.start_depth.rotate_right(1);
         self.start_depth[0] = Some((body, depth));
         depth
@@ -200,12 +183,27 @@ struct Asks<'a> {
 }
 
 impl Asks<'_> {
+    /// Whether a way since the step began may lead through something.
+    fn leads_far(&self) -> bool {
+        self.way >= NEAR
+    }
+
     /// A surface near a place, in which it was so deep when the step began.
     fn touch(&self, side: Side, start_depth: f64) -> Touch {
         let rest = -(start_depth - self.separation).max(0.0);
         let presses = side.surface.gap < rest || (self.is_first && start_depth > 0.0);
         Touch { side, rest, held: start_depth.min(self.separation), presses }
     }
+}
+
+/// A look at a place of a strand.
+struct Look<'a, S> {
+    asks: &'a Asks<'a>,
+    arclength: f64,
+    /// Where it is now, m, world.
+    now: Vec3<f64>,
+    /// Where it was when the step began: few places need it.
+    start: S,
 }
 
 /// What stays as it is during a step.
@@ -255,7 +253,7 @@ impl Line<'_> {
         let asks = &Asks { surfaces, is_first, separation, way };
         // What has gone a long way before anything was asked may be beyond a body by now.
         let margin = match is_first {
-            true if way >= SHORT => SLOPE * way,
+            true if asks.leads_far() => STEEPEST * way,
             true => NEAR,
             false => 0.0,
         };
@@ -281,7 +279,7 @@ impl Line<'_> {
             let now = point.now;
             if !point.pressed {
                 let least = known.own.least(now);
-                let by_neighbour = last.map_or(f64::NEG_INFINITY, |(at, gap)| gap - SLOPE * distance(now, at));
+                let by_neighbour = last.map_or(f64::NEG_INFINITY, |(at, gap)| gap - STEEPEST * distance(now, at));
                 if least > margin || by_neighbour > margin {
                     if least <= margin {
                         (known.own.at, known.own.gap) = (now, by_neighbour);
@@ -292,14 +290,8 @@ impl Line<'_> {
                 }
             }
             let (Known { own, touches: at, .. }, Near { places, touches }) = (known, &mut *self.near);
-            point.least = own.ask(
-                places,
-                asks,
-                start.arclength,
-                now,
-                || start.at,
-                |side, start_depth| touches.take(at, asks.touch(side, start_depth), asks.is_first),
-            );
+            let look = Look { asks, arclength: start.arclength, now, start: || start.at };
+            point.least = own.ask(places, &look, |touch| touches.take(at, touch, asks.is_first));
             last = Some((now, point.least));
         }
     }
@@ -310,9 +302,9 @@ impl Line<'_> {
             let (here, next) = (&self.points[p], self.points.get(p + 1));
             let entered = self.known[p].beside.has_entered(self.near);
             let pressed = entered || here.pressed || next.is_some_and(|next| next.pressed);
-            let mut least = here.least - SLOPE * (arclength - self.starts[p].arclength);
+            let mut least = here.least - STEEPEST * (arclength - self.starts[p].arclength);
             if let Some(next) = next {
-                least = least.max(next.least - SLOPE * (self.starts[p + 1].arclength - arclength));
+                least = least.max(next.least - STEEPEST * (self.starts[p + 1].arclength - arclength));
             }
             if !pressed && least > margin {
                 continue;
@@ -323,16 +315,16 @@ impl Line<'_> {
                 continue;
             }
             let Self { points, known, starts, near: Near { places, touches }, .. } = self;
-            let start = || interpolate(starts, p, arclength, |k| starts[k].at);
+            let look = Look { asks, arclength, now, start: || interpolate(starts, p, arclength, |k| starts[k].at) };
             let along = points[p..].get(1).map_or(Vec3::zero(), |next| next.now - points[p].now);
-            place.ask(places, asks, arclength, now, start, |side, start_depth| {
+            place.ask(places, &look, |touch| {
                 // A surface that faces along the strand is that of something thin which the strand goes through: no force along the strand
                 // brings it out.
-                if side.surface.normal.dot(along).abs() > END_ON * along.norm_squared().sqrt() {
+                if touch.side.surface.normal.dot(along).abs() > END_ON * along.norm_squared().sqrt() {
                     return;
                 }
                 for known in known[p..].iter_mut().take(2) {
-                    touches.take(&mut known.touches, asks.touch(side, start_depth), asks.is_first);
+                    touches.take(&mut known.touches, touch, asks.is_first);
                 }
             });
             self.known[p].beside = place;

@@ -39,11 +39,11 @@ pub struct SurfaceAtPoint {
     pub against: f64,
 }
 
-/// Surfaces this near may touch a point that lay on them when the step began, m.
+/// Surfaces this near may touch a point that lay on them when the step began, m; and what has gone no further has gone through nothing.
 pub const NEAR: f64 = 1e-3;
 
-/// A way this short leads through nothing, m.
-pub const SHORT: f64 = 1e-3;
+/// The most that a gap changes over a unit of distance.
+pub const STEEPEST: f64 = 1.25;
 
 /// How many surfaces may hold a point at a time.
 pub const SURFACES_AT_POINT: usize = 3;
