@@ -254,6 +254,41 @@ fn strands_of_a_scene_inside_colliders_are_warned_of() {
     assert_eq!(warning(&scene(0.001, json!({}))).0, None);
 }
 
+/// Curls that are drawn through each other are told of before a run, and what came of that after it; hair that lies in hair is not.
+#[test]
+fn strands_of_a_scene_drawn_through_each_other_are_warned_of() {
+    let directory = directory("wisps_through_each_other");
+    let scene = |apart: f64, curl: f64, allow: bool| {
+        let strand = |k: u32| {
+            let turn = if k % 2 == 0 { 0.3 } else { -0.3 };
+            json!({"elements": 6, "length": 0.1, "natural_curvatures": vec![[0.0, curl, turn * curl]; 6],
+                "root": {"origin": [0, apart * f64::from(k), 0]}})
+        };
+        let scene = with(small_scene(), "/strands", (0..12).map(strand).collect());
+        let scene = with(with(scene, "/duration", json!(0.05)), "/contact", json!({"allow_overlaps": allow}));
+        with(scene, "/hair_contact", json!({"wisp_radius": 3e-3}))
+    };
+    let warnings = |scene: &Value| {
+        let (output, result) = run_text(&directory, &scene.to_string());
+        let lines = errors(&output);
+        let about = |what: &str| lines.lines().find(|line| line.contains(what)).map(str::to_owned);
+        (about("into others"), about("did not converge"), result.unwrap()["report"].clone())
+    };
+    let (drawn, left, report) = warnings(&scene(4e-3, 120.0, false));
+    let (drawn, left) = (drawn.unwrap(), left.unwrap());
+    assert!(
+        drawn.contains("12 of 12 strands are drawn up to ") && drawn.ends_with(": \"allow_overlaps\": true in \"contact\""),
+        "{drawn}"
+    );
+    let (unconverged, steps) = (report["unconverged"].as_u64().unwrap(), report["steps"].as_u64().unwrap());
+    assert!(unconverged > 0 && report["unfinished"].as_u64().unwrap() <= unconverged, "{report}");
+    assert!(left.contains(&format!("{unconverged} of {} strand steps did not converge", 12 * steps)), "{left}");
+    for kept in [scene(4e-3, 120.0, true), scene(5e-3, 0.0, false)] {
+        let (drawn, left, report) = warnings(&kept);
+        assert_eq!((drawn, left), (None, None), "{report}");
+    }
+}
+
 #[test]
 fn bad_wisps_are_explained() {
     let groom = data("fibermesh_1k.tfx");

@@ -120,6 +120,9 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         things = Things::of(&solver);
     }
     let result = simulate(&scene, &drawn, &mut solver, &things, &mut files, states.clone(), arguments.quiet)?;
+    if !arguments.quiet {
+        result.report.warn(&path.display().to_string(), things.strands.len());
+    }
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
     serde_json::to_writer(&mut out, &result).map_err(|error| unwritable(&error))?;
     out.write_all(b"\n").map_err(|error| unwritable(&error))?;

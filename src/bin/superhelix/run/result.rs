@@ -28,7 +28,8 @@ pub struct RunResult {
     colliders: Vec<ColliderResult>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     attachments: Vec<AttachmentResult>,
-    report: Report,
+    /// How the steps went.
+    pub report: Report,
     state_hash: String,
     #[serde(skip)]
     requests: Vec<Request>,

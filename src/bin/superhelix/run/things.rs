@@ -5,7 +5,7 @@ use std::path::Path;
 use superhelix::{BodyId, ConstraintId, Solver, StrandId};
 
 use crate::scene::Scene;
-use crate::stepping::drawn_inside::{Becomes, DrawnInside};
+use crate::stepping::drawn_inside::{Becomes, DrawnInside, warn_of_hair_in_hair};
 
 /// What is in the solver, in the scene's order.
 #[derive(Debug)]
@@ -41,15 +41,18 @@ impl Things {
         Ok(Self { strands, bodies, constraints })
     }
 
-    /// Warns on standard error, in one line, of strands that contact will push out of colliders as soon as the scene begins.
+    /// Warns on standard error, in one line each, of strands that contact will push out of colliders and of others as soon as the scene begins.
     pub fn warn_of_overlaps(&self, scene: &Scene, path: &Path, solver: &mut Solver) -> superhelix::Result<()> {
-        if scene.allow_overlaps || self.bodies.is_empty() {
+        if scene.allow_overlaps || (self.bodies.is_empty() && !scene.options.contact.hair) {
             return Ok(());
         }
-        if let Some(left) = DrawnInside::left(Becomes::Parted, &solver.overlaps(&self.strands)?) {
-            let to_keep = "\"allow_overlaps\": true in \"contact\"";
-            left.warn(&path.display().to_string(), self.strands.len(), "colliders", to_keep);
+        let (name, to_keep) = (path.display().to_string(), "\"allow_overlaps\": true in \"contact\"");
+        let overlaps = solver.overlaps(&self.strands)?;
+        if let Some(left) = DrawnInside::left(Becomes::Parted, &overlaps) {
+            left.warn(&name, self.strands.len(), "colliders", to_keep);
         }
+        let radii = scene.strands.iter().map(|strand| strand.contact.as_ref().map_or(0.0, |contact| contact.wisp_radius));
+        warn_of_hair_in_hair(&overlaps, radii, &name, to_keep);
         Ok(())
     }
 }

@@ -1,4 +1,4 @@
-//! Strands that are drawn inside a body: how many, how deep, and what becomes of them.
+//! Strands that are drawn inside a body or through each other: how many, how deep, and what becomes of them.
 
 use clap::ValueEnum;
 use serde::Serialize;
@@ -18,6 +18,25 @@ pub enum Becomes {
     Kept,
     /// Contact pushes them out, and strands apart, as soon as the run begins.
     Parted,
+}
+
+/// Contact parts fewer strands than this part of all with ease.
+const FEW: f64 = 0.05;
+
+/// One line on standard error before the first step where contact will part many strands that are drawn through each other: `overlaps` and `radii`
+/// (m) of all. Wisps are, where another's surface reaches beyond their centreline; else they lie as close as hair is drawn.
+pub fn warn_of_hair_in_hair(overlaps: &[Overlap], radii: impl Iterator<Item = f64>, name: &str, to_keep: &str) {
+    let through = overlaps.iter().zip(radii).filter(|(overlap, radius)| overlap.hair > *radius);
+    let (count, deepest) =
+        through.fold((0, 0.0_f64), |(count, deepest), (overlap, _)| (count + 1_u32, deepest.max(overlap.hair)));
+    if f64::from(count) > FEW * overlaps.len() as f64 {
+        eprintln!(
+            "warning: {name}: {count} of {} strands are drawn up to {:.1} mm into others; contact parts them, which takes long and may \
+             fail where they are entangled. To let them keep their shape: {to_keep}",
+            overlaps.len(),
+            deepest * 1e3
+        );
+    }
 }
 
 /// What was drawn inside the body.

@@ -2,7 +2,7 @@
 //!
 //! Files:
 //!
-//! - `drawn_inside.rs`: Strands that are drawn inside a body: how many, how deep, and what becomes of them.
+//! - `drawn_inside.rs`: Strands that are drawn inside a body or through each other: how many, how deep, and what becomes of them.
 //! - `fitted.rs`: Strands made of a groom: how well they fit, how they rest.
 //! - `head.rs`: A head that carries roots: a motion laid onto a groom.
 //! - `motion_arguments.rs`: The motion of a head on the command line.

@@ -15,6 +15,8 @@ pub struct Report {
     pub iterations_max: u32,
     /// Strand-steps that stopped before reaching the tolerance.
     pub unconverged: u64,
+    /// Those of them that a limit of work left as they were.
+    pub unfinished: u64,
     /// Strand-steps rolled back: the state turned non-finite, or contacts and constraints made it diverge.
     pub quarantined: u64,
     /// Strand-steps that were taken in substeps of their own.
@@ -71,6 +73,9 @@ impl ContactReport {
     }
 }
 
+/// Fewer unconverged strand-steps than this part of all are of violent motion, now and then.
+const NOW_AND_THEN: f64 = 0.01;
+
 impl Report {
     /// Adds a step's report.
     pub fn add(&mut self, step: &StepReport) {
@@ -82,10 +87,26 @@ impl Report {
         self.steps = total;
         self.iterations_max = self.iterations_max.max(step.max_iterations);
         self.unconverged += u64::from(step.unconverged);
+        self.unfinished += u64::from(step.left);
         self.quarantined += u64::from(step.quarantined);
         self.subdivided += u64::from(step.subdivided);
         self.error_max = self.error_max.max(step.max_error);
         self.contact.get_or_insert_default().add(&step.contact, substeps, total);
         self.seconds += step.seconds;
+    }
+
+    /// One line on standard error where many of the steps of so many strands have not converged.
+    pub fn warn(&self, name: &str, strands: usize) {
+        let (failed, all) = (self.unconverged + self.quarantined, self.steps * strands as u64);
+        if failed as f64 <= NOW_AND_THEN * all as f64 {
+            return;
+        }
+        let cut = match self.unfinished {
+            0 => String::new(),
+            cut => format!(", {cut} of them for lack of work"),
+        };
+        let deep = self.contact.map(|contact| contact.penetration_max).filter(|depth| *depth > 0.0);
+        let deep = deep.map_or(String::new(), |depth| format!("; surfaces overlapped by up to {:.2} mm", depth * 1e3));
+        eprintln!("warning: {name}: {failed} of {all} strand steps did not converge{cut}{deep}");
     }
 }
