@@ -21,8 +21,17 @@ fn the_documented_example_runs_as_it_stands() {
     assert_eq!(times.len(), 62);
     assert_eq!((times[60], times[61]), (60.0 * 0.016666, 1.0));
     assert_eq!(result["strands"][0]["tips"].as_array().unwrap().len(), 62);
-    for key in ["steps", "iterations_mean", "iterations_max", "unconverged", "quarantined", "subdivided", "error_max", "seconds"]
-    {
+    for key in [
+        "steps",
+        "iterations_mean",
+        "iterations_max",
+        "unconverged",
+        "unfinished",
+        "quarantined",
+        "subdivided",
+        "error_max",
+        "seconds",
+    ] {
         assert!(result["report"][key].is_number(), "{key}");
     }
     assert!(last_tip(&result)[2] < -0.05, "a strand of hair that is held level must fall: {:?}", last_tip(&result));

@@ -283,6 +283,10 @@ fn strands_of_a_scene_drawn_through_each_other_are_warned_of() {
     let (unconverged, steps) = (report["unconverged"].as_u64().unwrap(), report["steps"].as_u64().unwrap());
     assert!(unconverged > 0 && report["unfinished"].as_u64().unwrap() <= unconverged, "{report}");
     assert!(left.contains(&format!("{unconverged} of {} strand steps did not converge", 12 * steps)), "{left}");
+    // With less work more is left, and what was cut off is told apart.
+    let (_, less, report) = warnings(&with(scene(4e-3, 120.0, false), "/max_work", json!(1000)));
+    let unfinished = report["unfinished"].as_u64().unwrap();
+    assert!(unfinished >= unconverged && less.unwrap().contains(&format!(", {unfinished} of them because")), "{report}");
     for kept in [scene(4e-3, 120.0, true), scene(5e-3, 0.0, false)] {
         let (drawn, left, report) = warnings(&kept);
         assert_eq!((drawn, left), (None, None), "{report}");

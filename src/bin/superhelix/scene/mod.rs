@@ -144,6 +144,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         "newton",
         "reference_tolerance",
         "max_subdivisions",
+        "max_work",
         "jump_acceleration",
         "error_tolerance",
         "quadrature_tolerance",

@@ -25,6 +25,9 @@ pub const LINEAR_SOLVERS: [(&str, LinearSolver); 4] = [
     ("dense_svd", LinearSolver::DenseSingularValues),
 ];
 
+/// Units of work in a step at most: eleven days of one core.
+const MOST_WORK: u64 = 1_000_000_000_000;
+
 /// Reads them; how contact is answered is read elsewhere.
 pub fn read(scene: &Entries, contact: ContactOptions) -> Result<SolverOptions, Complaint> {
     let defaults = SolverOptions::default();
@@ -50,7 +53,10 @@ pub fn read(scene: &Entries, contact: ContactOptions) -> Result<SolverOptions, C
         instruction_set: None,
         contact,
         jump_acceleration: scene.or("jump_acceleration", defaults.jump_acceleration, Node::positive)?,
-        limits: UsualLimits::default(),
+        limits: UsualLimits {
+            work: scene.get_unless_null("max_work").map(|node| node.whole(1..=MOST_WORK)).transpose()?,
+            seconds: None,
+        },
     };
     options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)

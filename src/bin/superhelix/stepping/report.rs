@@ -103,7 +103,7 @@ impl Report {
         }
         let cut = match self.unfinished {
             0 => String::new(),
-            cut => format!(", {cut} of them for lack of work"),
+            cut => format!(", {cut} of them because a step has only so much work (\"max_work\")"),
         };
         let deep = self.contact.map(|contact| contact.penetration_max).filter(|depth| *depth > 0.0);
         let deep = deep.map_or(String::new(), |depth| format!("; surfaces overlapped by up to {:.2} mm", depth * 1e3));
