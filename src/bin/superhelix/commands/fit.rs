@@ -16,7 +16,7 @@ use crate::groom::stiffening_arguments::StiffeningArguments;
 use crate::groom::strands::{NaturalShape, Skipped, check_stiffening};
 use crate::groom::unit;
 use crate::groom::wisp_arguments::WispArguments;
-use crate::scene::written as fit_scene;
+use crate::scene::strands::written as fit_scene;
 use crate::shell::argument_values::{not_negative, positive, share};
 use crate::shell::failure::Failure;
 use crate::shell::up::Up;

@@ -11,7 +11,7 @@ use superhelix::internals::groom::curves::drawn::check_length;
 use superhelix::{Frame, StrandDef};
 
 use crate::groom::material_arguments::{MaterialArguments, in_words_of_flags};
-use crate::scene::written as fit_scene;
+use crate::scene::strands::written as fit_scene;
 use crate::shell::argument_values::{not_negative, positive, triple};
 use crate::shell::failure::Failure;
 use crate::shell::up::Up;

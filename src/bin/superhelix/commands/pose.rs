@@ -11,8 +11,9 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 
 use crate::scene;
-use crate::scene::rest_arguments::RestArguments;
-use crate::scene::{Scene, SceneStrand, posing, written as fit_scene};
+use crate::scene::posing::rest_arguments::RestArguments;
+use crate::scene::strands::written as fit_scene;
+use crate::scene::{Scene, SceneStrand, posing};
 use crate::shell::atomic_file::AtomicFile;
 use crate::shell::failure::Failure;
 use crate::shell::json;

@@ -1,9 +1,14 @@
 //! Which way a head faces: by its relief, or, where that does not say, to where it has no hair.
+//!
+//! Files:
+//!
+//! - `relief.rs`: Which way a head faces by its mesh: where it has relief.
+
+mod relief;
 
 use nalgebra::Vector3;
 use superhelix::hair::GuideRoots;
 
-use super::relief;
 use super::view::Face;
 use crate::shell::up::Up;
 use crate::surfaces::surface::Surface;

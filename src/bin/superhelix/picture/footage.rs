@@ -1,4 +1,10 @@
 //! What a picture is made of: frames of a cache or of a scene's result, with bodies and render hair where they are asked for.
+//!
+//! Files:
+//!
+//! - `replay.rs`: A scene that was run: strands out of its result, bodies out of the scene.
+
+mod replay;
 
 use std::path::{Path, PathBuf};
 
@@ -9,12 +15,12 @@ use super::body::CacheBody;
 use super::facing::face_of;
 use super::grown::{self, Grown};
 use super::moment::Moment;
-use super::replay::Replay;
 use super::view::Face;
 use crate::shell::failure::Failure;
 use crate::shell::frame_files::{frame_number, list_frames};
 use crate::shell::up::Up;
 use crate::surfaces::moving_scalp::{ScalpFiles, ScalpRequest};
+use replay::Replay;
 
 enum Source {
     /// A file a frame.

@@ -1,8 +1,14 @@
 //! What the cells of a picture show: every view at one scale, following the middle of the roots.
+//!
+//! Files:
+//!
+//! - `window.rs`: What part of the world a cell shows.
+
+pub mod window;
 
 use super::moment::Moment;
 use super::view::View;
-use super::window::Window;
+use window::Window;
 
 /// How far bodies may make the picture larger on each side, in sizes of the strands.
 const BODY_ROOM: f32 = 0.25;

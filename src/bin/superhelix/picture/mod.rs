@@ -10,13 +10,9 @@
 //! - `footage.rs`: What a picture is made of: frames of a cache or of a scene's result, with bodies and render hair where they are asked for.
 //! - `framing.rs`: What the cells of a picture show: every view at one scale, following the middle of the roots.
 //! - `grown.rs`: Render hair for pictures of guides: as `interpolate` makes it, in wisps.
-//! - `lettering.rs`: Letters as strokes: enough for labels, drawn with the same pen as the strands.
 //! - `moment.rs`: One moment of a motion, as it is drawn.
-//! - `relief.rs`: Which way a head faces by its mesh: where it has relief.
-//! - `replay.rs`: A scene that was run: strands out of its result, bodies out of the scene.
 //! - `sheet.rs`: The contact sheet: moments from left to right, the views one above the other, all at one scale.
 //! - `view.rs`: Views: which axes run right, up and towards the viewer.
-//! - `window.rs`: What part of the world a cell shows.
 //! - `lines/`: Strands as lines that can be told apart.
 //! - `lit/`: Hair as it looks: threads lit by lamps and each other, bodies among them, on a quiet ground.
 
@@ -28,15 +24,11 @@ pub mod facing;
 mod footage;
 mod framing;
 pub mod grown;
-mod lettering;
 mod lines;
 mod lit;
 pub mod moment;
-mod relief;
-mod replay;
 pub mod sheet;
 pub mod view;
-mod window;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,11 +1,16 @@
 //! The contact sheet: moments from left to right, the views one above the other, all at one scale.
+//!
+//! Files:
+//!
+//! - `lettering.rs`: Letters as strokes: enough for labels, drawn with the same pen as the strands.
+
+mod lettering;
 
 use tiny_skia::{Paint, PathBuilder, Pixmap, PixmapPaint, Stroke, Transform};
 
 use super::cell::{Manner, Pen};
 use super::colour::Colour;
 use super::framing::Finder;
-use super::lettering;
 use super::lit::HairColour;
 use super::moment::Moment;
 use super::view::View;

@@ -14,7 +14,7 @@ use superhelix::{ContactOptions, Frame, Friction, StrandContact};
 use super::arguments::PrepareArguments;
 use super::guides::Guides;
 use super::head::Body;
-use crate::scene::written;
+use crate::scene::strands::written;
 use crate::shell::atomic_file::AtomicFile;
 use crate::shell::failure::Failure;
 use crate::shell::up::Up;

@@ -6,10 +6,10 @@ use nalgebra::Vector3;
 use superhelix::splines::PoseSpline;
 use superhelix::{ConstraintDef, Frame, Friction, Hold, Solver, StrandId};
 
-use super::SceneStrand;
-use super::contact::read_friction;
-use super::motions::Motions;
-use super::pose::{read_frame, read_pose};
+use crate::scene::SceneStrand;
+use crate::scene::contact::read_friction;
+use crate::scene::pose::motions::Motions;
+use crate::scene::pose::{read_frame, read_pose};
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// Something that holds a strand.

@@ -9,10 +9,10 @@ use superhelix::shapes::Sides;
 use superhelix::splines::PoseSpline;
 use superhelix::{BodyDef, Error, Shape};
 
-use super::deformation::Deformation;
-use super::groups::Groups;
-use super::motions::Motions;
-use super::pose::read_pose;
+use crate::scene::contact::groups::Groups;
+use crate::scene::pose::deformation::Deformation;
+use crate::scene::pose::motions::Motions;
+use crate::scene::pose::read_pose;
 use crate::shell::json::{Complaint, Entries, Node};
 use crate::surfaces::surface::Surface;
 

@@ -1,11 +1,17 @@
 //! `contact` and `hair_contact`: how touches are answered, and what strands are to them.
+//!
+//! Files:
+//!
+//! - `groups.rs`: `groups`: names for the groups of what touches, a bit each.
+
+pub mod groups;
 
 use superhelix::{ContactModel, ContactOptions, Friction, StrandContact};
 
-use super::SceneStrand;
-use super::colliders::Collider;
-use super::groups::Groups;
-use super::maps::MappedContact;
+use crate::scene::SceneStrand;
+use crate::scene::colliders::Collider;
+use crate::scene::contact::groups::Groups;
+use crate::scene::strands::maps::MappedContact;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// The models by their names in a scene and on the command line.

@@ -5,54 +5,26 @@
 //! - `attachments.rs`: `attachments`: what holds strands, as constraints.
 //! - `colliders.rs`: `colliders`: bodies, how they move, and where their files are.
 //! - `contact.rs`: `contact` and `hair_contact`: how touches are answered, and what strands are to them.
-//! - `deformation.rs`: A mesh whose vertices move: samples in time, straight and even between them, held before the first and after the last.
-//! - `follicles.rs`: `follicles` of a strand: places on a mesh, at each of which one such strand stands.
-//! - `groom.rs`: `groom` of a strand: a file of curves, in whose place stands a strand for each of them, fitted.
-//! - `groups.rs`: `groups`: names for the groups of what touches, a bit each.
-//! - `hair.rs`: `hair` of a strand: a measured kind, sliders and variation, from which what the strand does not say itself is taken.
-//! - `maps.rs`: `maps` of a strand: parameters that vary from root to root.
-//! - `motions.rs`: `motions`: poses over time that have a name, so that roots, colliders and targets share them.
-//! - `named.rs`: `name` of items of `strands`, by which other keys say which strands they mean.
-//! - `only.rs`: `only` of an item: which strands of its groom, or which of its follicles, it stands for.
 //! - `options.rs`: The keys of a scene that say how it is stepped.
 //! - `outputs.rs`: `output`: what a scene asks to be written.
 //! - `pose.rs`: Poses and motions, of roots, colliders and targets.
-//! - `posed.rs`: The operations of `posing` done to a scene's strands.
 //! - `posing.rs`: `posing`: what is done to the strands before a run begins.
 //! - `render_hair.rs`: `render_hair`: strands to be drawn, which follow those of the scene and are written as it runs.
-//! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
-//! - `root_values.rs`: Values at the roots of an item's strands: painted on a mesh, listed for its vertices, or attributes of the file that the strands come from.
 //! - `strands.rs`: `strands`: what each is made from, and how its root moves.
 //! - `targets.rs`: `targets`: curves to which strands are drawn, over time or as the strands start.
-//! - `timeline.rs`: When states are written and which steps lead there.
 //! - `words.rs`: The solver's complaints in the words of a scene.
-//! - `written.rs`: Strands as a scene file.
 
 pub mod attachments;
 pub mod colliders;
 pub mod contact;
-mod deformation;
-mod follicles;
-mod groom;
-mod groups;
-mod hair;
-mod maps;
-mod motions;
-mod named;
-mod only;
 pub mod options;
 pub mod outputs;
 pub mod pose;
-mod posed;
 pub mod posing;
 pub mod render_hair;
-pub mod rest_arguments;
-mod root_values;
-mod strands;
+pub mod strands;
 pub mod targets;
-pub mod timeline;
 mod words;
-pub mod written;
 
 use std::fs;
 use std::path::Path;
@@ -66,11 +38,12 @@ use crate::shell::json;
 use crate::shell::json::{Complaint, Node};
 use attachments::Attachment;
 use colliders::Collider;
-use groups::Groups;
-use motions::Motions;
+use contact::groups::Groups;
 pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
+use outputs::timeline;
 pub use outputs::{Output, Request};
-pub use posed::apply as do_posing;
+use pose::motions::Motions;
+pub use posing::posed::apply as do_posing;
 use render_hair::SceneRenderHair;
 pub use strands::SceneStrand;
 use targets::SceneTarget;
@@ -211,7 +184,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         samples,
         render_hair: None,
     };
-    posed::apply(&mut scene, &posing)?;
+    do_posing(&mut scene, &posing)?;
     scene.render_hair = wanted.map(|node| render_hair::read(node, &scene, directory)).transpose()?;
     Ok(scene)
 }

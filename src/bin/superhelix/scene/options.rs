@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use superhelix::{ContactOptions, Integrator, LinearSolver, Precision, SolverOptions, StepOptions, UsualLimits, Workers};
 
-use super::words::in_words_of_the_scene;
+use crate::scene::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// The integrators by their names in a scene and on the command line.

@@ -1,4 +1,10 @@
 //! `output`: what a scene asks to be written.
+//!
+//! Files:
+//!
+//! - `timeline.rs`: When states are written and which steps lead there.
+
+pub mod timeline;
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,12 @@
 //! Poses and motions, of roots, colliders and targets.
+//!
+//! Files:
+//!
+//! - `deformation.rs`: A mesh whose vertices move: samples in time, straight and even between them, held before the first and after the last.
+//! - `motions.rs`: `motions`: poses over time that have a name, so that roots, colliders and targets share them.
+
+pub mod deformation;
+pub mod motions;
 
 use std::sync::Arc;
 
@@ -6,9 +14,9 @@ use nalgebra::Vector3;
 use superhelix::Frame;
 use superhelix::splines::PoseSpline;
 
-use super::motions::Motions;
-use super::words::in_words_of_the_scene;
+use crate::scene::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Entries, Node};
+use motions::Motions;
 
 /// A pose as an object: `origin` and `rotation`, either of which may be left out.
 pub fn read_pose(node: &Node) -> Result<Frame, Complaint> {

@@ -1,12 +1,21 @@
 //! `posing`: what is done to the strands before a run begins.
+//!
+//! Files:
+//!
+//! - `posed.rs`: The operations of `posing` done to a scene's strands.
+//! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
+
+pub mod posed;
+pub mod rest_arguments;
 
 use nalgebra::Vector3;
 use superhelix::editing::{Brush, ElementChange, Growth, Plane, Stiffening};
 use superhelix::{MAX_ELEMENTS, Material};
 
-use super::words::in_words_of_the_scene;
-use super::{SceneStrand, named};
 use crate::groom::stiffening_arguments::STIFFENINGS;
+use crate::scene::SceneStrand;
+use crate::scene::strands::named;
+use crate::scene::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// Something that is done to strands.

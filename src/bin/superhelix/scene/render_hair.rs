@@ -7,13 +7,13 @@ use superhelix::hair::MAX_FOLLICLES;
 use superhelix::io::{Curves, time_as_read};
 use superhelix::render::{MAX_GUIDES, MAX_POINTS, MAX_WISPS, RenderSettings, Space};
 
-use super::Scene;
-use super::colliders::{file_complaint, path_of};
-use super::pose::read_pose;
 use crate::groom::unit;
 use crate::render::output::OutputKind;
 use crate::render::roots::{Ground, OwnShapes, Region, Scattering};
-use crate::scene::timeline;
+use crate::scene::Scene;
+use crate::scene::colliders::{file_complaint, path_of};
+use crate::scene::outputs::timeline;
+use crate::scene::pose::read_pose;
 use crate::shell::failure::Failure;
 use crate::shell::json::{Complaint, Entries, Node};
 use crate::surfaces::moving_scalp::{ScalpFiles, ScalpRequest};

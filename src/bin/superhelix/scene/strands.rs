@@ -1,4 +1,24 @@
 //! `strands`: what each is made from, and how its root moves.
+//!
+//! Files:
+//!
+//! - `follicles.rs`: `follicles` of a strand: places on a mesh, at each of which one such strand stands.
+//! - `groom.rs`: `groom` of a strand: a file of curves, in whose place stands a strand for each of them, fitted.
+//! - `hair.rs`: `hair` of a strand: a measured kind, sliders and variation, from which what the strand does not say itself is taken.
+//! - `maps.rs`: `maps` of a strand: parameters that vary from root to root.
+//! - `named.rs`: `name` of items of `strands`, by which other keys say which strands they mean.
+//! - `only.rs`: `only` of an item: which strands of its groom, or which of its follicles, it stands for.
+//! - `root_values.rs`: Values at the roots of an item's strands: painted on a mesh, listed for its vertices, or attributes of the file that the strands come from.
+//! - `written.rs`: Strands as a scene file.
+
+mod follicles;
+mod groom;
+mod hair;
+pub mod maps;
+pub mod named;
+mod only;
+mod root_values;
+pub mod written;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -8,14 +28,13 @@ use serde_json::Value;
 use superhelix::hair::VariedStrand;
 use superhelix::{Frame, Freedoms, MAX_ELEMENTS, Material, SolverOptions, StrandContact, StrandDef};
 
-use super::maps::{MappedContact, Maps};
-use super::motions::Motions;
-use super::only::Only;
-use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
-use super::root_values::Item;
-use super::words::in_words_of_the_scene;
-use super::{follicles, groom, hair, named};
+use crate::scene::pose::motions::Motions;
+use crate::scene::pose::{Moves, RootMotion, read_pose, read_root_motion};
+use crate::scene::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Entries, Node};
+use maps::{MappedContact, Maps};
+use only::Only;
+use root_values::Item;
 
 /// A strand and how its root moves.
 #[derive(Debug)]

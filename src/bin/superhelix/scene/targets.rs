@@ -7,10 +7,11 @@ use superhelix::editing::TargetDef;
 use superhelix::io::Curves;
 use superhelix::{Frame, Solver, StrandId};
 
-use super::colliders::{file_complaint, path_of};
-use super::pose::{Moves, read_pose, read_times};
-use super::{SceneStrand, named};
 use crate::groom::unit;
+use crate::scene::SceneStrand;
+use crate::scene::colliders::{file_complaint, path_of};
+use crate::scene::pose::{Moves, read_pose, read_times};
+use crate::scene::strands::named;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// Points of a curve that is a strand's own shape, per element and in all.

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
 use crate::picture::colour::Colour;
+use crate::picture::framing::window::Window;
 use crate::picture::view::View;
-use crate::picture::window::Window;
 use crate::surfaces::surface::Surface;
 
 /// Samples along a pixel's side.

@@ -10,9 +10,9 @@ mod cover;
 use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Rect, Stroke, Transform};
 
 use super::colour::Colour;
+use super::framing::window::Window;
 use super::moment::Moment;
 use super::view::View;
-use super::window::Window;
 use cover::Cover;
 
 /// How far behind a body's surface, in pixels, a thread is hidden: less is the surface's and the thread's own coarseness.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::skin::Skin;
 use super::studio::Studio;
 use super::triangle::{Raster, cover};
-use crate::picture::window::Window;
+use crate::picture::framing::window::Window;
 
 /// Samples of bodies along a pixel's side.
 const FINE: usize = 3;

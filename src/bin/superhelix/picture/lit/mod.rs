@@ -33,9 +33,9 @@ use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
+use super::framing::window::Window;
 use super::moment::Moment;
 use super::view::View;
-use super::window::Window;
 use band::Band;
 use depth_map::DepthMap;
 use fibre::Fibre;

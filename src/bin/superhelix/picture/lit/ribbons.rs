@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::band::Band;
 use super::threads::{Threads, taper};
-use crate::picture::window::Window;
+use crate::picture::framing::window::Window;
 
 /// How much a thread hides where it covers all of a pixel.
 const OPACITY: f32 = 0.95;

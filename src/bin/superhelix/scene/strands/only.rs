@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use nalgebra::Vector3;
 
-use super::root_values::{self, Item, Sources, Values};
+use crate::scene::strands::root_values::{self, Item, Sources, Values};
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// Conditions that all hold for the strands of an item.

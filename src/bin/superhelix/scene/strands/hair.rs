@@ -2,7 +2,7 @@
 
 use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation, VariedStrand};
 
-use super::words::in_words_of_the_scene;
+use crate::scene::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Node};
 
 /// Hair of a kind, and which strand of it.

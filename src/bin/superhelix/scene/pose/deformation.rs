@@ -4,8 +4,8 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 
-use super::colliders::{read_mesh, read_vectors};
-use super::pose::read_times;
+use crate::scene::colliders::{read_mesh, read_vectors};
+use crate::scene::pose::read_times;
 use crate::shell::json::{Complaint, Node};
 
 /// Vertices over time.

@@ -3,8 +3,9 @@
 use superhelix::editing::{DragTarget, PoseOptions};
 use superhelix::{Error, Result, Solver, StrandDef, StrandId};
 
-use super::posing::{Action, How, Operation};
-use super::{Scene, SceneStrand};
+use crate::scene::Scene;
+use crate::scene::SceneStrand;
+use crate::scene::posing::{Action, How, Operation};
 use crate::shell::json::Complaint;
 
 /// Does the operations one after the other, in a solver of the scene's strands, colliders and attachments at its start; strands, their

@@ -6,8 +6,8 @@ use superhelix::hair::{Amount, Density, MAX_FOLLICLES, ScatterOptions};
 use superhelix::io::obj_mesh;
 use superhelix::{Error, Frame};
 
-use super::colliders::{file_complaint, path_of};
-use super::pose::read_pose;
+use crate::scene::colliders::{file_complaint, path_of};
+use crate::scene::pose::read_pose;
 use crate::shell::json::{Complaint, Entries, Node};
 use crate::surfaces::region::{Placement, read_vertex_densities, scalp_of};
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 
-use super::view::Face;
+use crate::picture::view::Face;
 use crate::shell::up::Up;
 use crate::surfaces::surface::Surface;
 

@@ -9,8 +9,8 @@ use superhelix::hair::Density;
 use superhelix::io::{StrandAttributes, obj_mesh};
 use superhelix::shapes::{Mesh, Sides};
 
-use super::colliders::{file_complaint, path_of};
-use super::pose::read_pose;
+use crate::scene::colliders::{file_complaint, path_of};
+use crate::scene::pose::read_pose;
 use crate::shell::json::{Complaint, Entries, Node};
 use crate::surfaces::region::{read_picture, read_vertex_densities};
 

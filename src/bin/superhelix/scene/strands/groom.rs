@@ -8,12 +8,12 @@ use superhelix::hair::{DrawnCurve, Fit, FitCurve, FitOptions, NaturalShape, fit_
 use superhelix::io::Curves;
 use superhelix::{Frame, GroomOptions, MAX_ELEMENTS, Material, Result as Outcome, SolverOptions, StrandDef, Wisp};
 
-use super::colliders::{file_complaint, path_of};
-use super::maps::{MappedContact, Maps};
-use super::only::Only;
-use super::pose::read_pose;
-use super::words::in_words_of_the_scene;
 use crate::groom::unit;
+use crate::scene::colliders::{file_complaint, path_of};
+use crate::scene::pose::read_pose;
+use crate::scene::strands::maps::{MappedContact, Maps};
+use crate::scene::strands::only::Only;
+use crate::scene::words::in_words_of_the_scene;
 use crate::shell::json::{Complaint, Node};
 
 /// What each strand stands for; null: one bare hair.

@@ -2,7 +2,7 @@
 
 use tiny_skia::{LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
-use super::colour::Colour;
+use crate::picture::colour::Colour;
 
 /// Strokes of a character on a grid 4 wide and 6 high, y down: two digits a point, a space between strokes.
 fn strokes(character: char) -> &'static str {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde_json::Value;
 use superhelix::splines::PoseSpline;
 
-use super::pose::read_spline;
+use crate::scene::pose::read_spline;
 use crate::shell::json::{Complaint, Entries, Node};
 
 /// The motions of a scene by their names.

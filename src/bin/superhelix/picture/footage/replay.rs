@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::moment::Moment;
+use crate::picture::moment::Moment;
 use crate::scene;
 use crate::scene::Scene;
 use crate::shell::failure::Failure;

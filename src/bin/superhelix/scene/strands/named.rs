@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::SceneStrand;
+use crate::scene::SceneStrand;
 use crate::shell::json::{Complaint, Node};
 
 /// Reads the name of an item, if it has one.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use superhelix::{Material, StrandDef};
 
-use super::root_values::{self, Item, Sources, Values};
+use crate::scene::strands::root_values::{self, Item, Sources, Values};
 use crate::shell::json::{Complaint, Node};
 
 /// What a map can say.
