@@ -260,7 +260,7 @@ fn strands_of_a_scene_drawn_through_each_other_are_warned_of() {
     let directory = directory("wisps_through_each_other");
     let scene = |apart: f64, curl: f64, allow: bool| {
         let strand = |k: u32| {
-            let turn = if k % 2 == 0 { 0.3 } else { -0.3 };
+            let turn = if k.is_multiple_of(2) { 0.3 } else { -0.3 };
             json!({"elements": 6, "length": 0.1, "natural_curvatures": vec![[0.0, curl, turn * curl]; 6],
                 "root": {"origin": [0, apart * f64::from(k), 0]}})
         };
