@@ -9,6 +9,7 @@
 //! - `touches.rs`: The surfaces near a quadrature point (`contacts.rs`): of two bodies, or the two sides of a crease in one.
 
 pub mod contacts;
+mod places;
 pub(super) mod probes;
 pub mod springs;
 pub mod surfaces;

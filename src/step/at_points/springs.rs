@@ -1,7 +1,8 @@
 //! The springs that contact gives to the quadrature points (`contacts.rs`), in lanes: each point has one along the normal of a surface and
 //! one along the surface. Where several surfaces hold a point of any lane, all points have room for the springs of as many.
 
-use super::probes::{Known, Near, Point, Start};
+use super::places::{Known, Near};
+use super::probes::{Point, Start};
 use super::surfaces::DepthAtPoints;
 use crate::chain::system::{ChainSystem, springs_of};
 use crate::math::lane::{Lane, MAX_LANES};
