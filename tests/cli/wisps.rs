@@ -287,6 +287,9 @@ fn strands_of_a_scene_drawn_through_each_other_are_warned_of() {
     let (_, less, report) = warnings(&with(scene(4e-3, 120.0, false), "/max_work", json!(1000)));
     let unfinished = report["unfinished"].as_u64().unwrap();
     assert!(unfinished >= unconverged && less.unwrap().contains(&format!(", {unfinished} of them because")), "{report}");
+    // Few iterations are a choice.
+    let (_, chosen, report) = warnings(&with(scene(4e-3, 120.0, false), "/contact", json!({"max_iterations": 3})));
+    assert!(chosen.is_none() && report["unconverged"].as_u64().unwrap() > 0, "{report}");
     for kept in [scene(4e-3, 120.0, true), scene(5e-3, 0.0, false)] {
         let (drawn, left, report) = warnings(&kept);
         assert_eq!((drawn, left), (None, None), "{report}");

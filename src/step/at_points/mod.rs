@@ -3,6 +3,7 @@
 //! Files:
 //!
 //! - `contacts.rs`: Contact at the quadrature points.
+//! - `places.rs`: What is known of the places of a strand at which the surfaces of bodies are asked for (`probes.rs`).
 //! - `probes.rs`: Where the surfaces of bodies are about a strand's quadrature points (`contacts.rs`).
 //! - `springs.rs`: The springs that contact gives to the quadrature points (`contacts.rs`), in lanes.
 //! - `surfaces.rs`: What contact at points asks of the bodies' surfaces, and what it finds (`contacts.rs`).

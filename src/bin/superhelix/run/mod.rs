@@ -21,6 +21,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
+use superhelix::internals::contact::options::MAX_CHOSEN_ITERATIONS;
 use superhelix::{Frame, Solver, StrandDef};
 
 use crate::run::files::RunFiles;
@@ -121,7 +122,9 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         things = Things::of(&solver);
     }
     let result = simulate(&scene, &drawn, &mut solver, &things, &mut files, states.clone(), arguments.quiet)?;
-    if !arguments.quiet {
+    // (Few iterations are a choice of cost.)
+    let few = scene.options.step.max_iterations.min(scene.options.contact.max_iterations) <= MAX_CHOSEN_ITERATIONS;
+    if !arguments.quiet && !few {
         result.report.warn(&path.display().to_string(), things.strands.len());
     }
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));

@@ -73,6 +73,9 @@ impl ContactReport {
     }
 }
 
+/// Overlaps below this are not told of, m: they print as none.
+const TOLD: f64 = 5e-6;
+
 /// Fewer unconverged strand-steps than this part of all are of violent motion, now and then.
 const NOW_AND_THEN: f64 = 0.01;
 
@@ -105,7 +108,7 @@ impl Report {
             0 => String::new(),
             cut => format!(", {cut} of them because a step has only so much work (\"max_work\")"),
         };
-        let deep = self.contact.map(|contact| contact.penetration_max).filter(|depth| *depth > 0.0);
+        let deep = self.contact.map(|contact| contact.penetration_max).filter(|depth| *depth > TOLD);
         let deep = deep.map_or(String::new(), |depth| format!("; surfaces overlapped by up to {:.2} mm", depth * 1e3));
         eprintln!("warning: {name}: {failed} of {all} strand steps did not converge{cut}{deep}");
     }
