@@ -38,7 +38,7 @@ dist-check: dist ## the archive, and Debian packages where there is dpkg, unpack
 deb: dist ## Debian packages of the release: out/dist/*.deb
 	scripts/dist/debian.sh
 
-test: ## everything: format, lints, documentation, tests in Rust, C and of all bindings, examples (about 20 minutes on two cores, with nothing compiled)
+test: ## everything: format, lints, documentation, tests in Rust, C and of all bindings, examples (about three quarters of an hour on two cores, with nothing compiled)
 	@scripts/setup.sh test python csharp
 	cargo fmt --check
 	scripts/lint_python.sh
