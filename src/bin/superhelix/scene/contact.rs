@@ -10,9 +10,9 @@ use superhelix::{ContactModel, ContactOptions, Friction, StrandContact};
 
 use crate::scene::SceneStrand;
 use crate::scene::colliders::Collider;
-use crate::scene::contact::groups::Groups;
 use crate::scene::strands::maps::MappedContact;
 use crate::shell::json::{Complaint, Entries, Node};
+use groups::Groups;
 
 /// The models by their names in a scene and on the command line.
 pub const MODELS: [(&str, ContactModel); 5] = [

@@ -31,8 +31,8 @@ pub fn warn_of_hair_in_hair(overlaps: &[Overlap], radii: impl Iterator<Item = f6
         through.fold((0, 0.0_f64), |(count, deepest), (overlap, _)| (count + 1_u32, deepest.max(overlap.hair)));
     if f64::from(count) > FEW * overlaps.len() as f64 {
         eprintln!(
-            "warning: {name}: {count} of {} strands are drawn up to {:.1} mm into others; contact parts them, which takes long and may \
-             fail where they are entangled. To let them keep their shape: {to_keep}",
+            "warning: {name}: {count} of {} strands are drawn up to {:.1} mm into others; contact parts them, and where they are \
+             entangled that takes long and may fail. To let them keep their shape: {to_keep}",
             overlaps.len(),
             deepest * 1e3
         );
