@@ -174,7 +174,7 @@ impl Scene {
             let spring = |contact: &Contact| {
                 let depth = (-contact.gap).max(0.0);
                 match model {
-                    // (At points, strands touch each other as with penalties.)
+                    // (At points, strands are held apart by the springs of penalties.)
                     ContactModel::Penalty | ContactModel::AtPoints => 0.5 * stiffness * depth * depth,
                     ContactModel::RegularisedPenalty if depth < soft => stiffness * depth.powi(3) / (6.0 * soft),
                     ContactModel::RegularisedPenalty => stiffness * (0.5 * depth * (depth - soft) + soft * soft / 6.0),

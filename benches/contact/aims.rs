@@ -75,23 +75,16 @@ struct Shake {
     name: &'static str,
     asked: &'static str,
     when_asked: &'static str,
-    remark: &'static str,
 }
 
 const SHAKES: [Shake; 3] = [
-    Shake {
-        name: "penalty, 1 iteration",
-        asked: "35, with Coulomb friction; 0.5 mm deep",
-        when_asked: "75, without",
-        remark: "its friction is viscous; ",
-    },
+    Shake { name: "at points, 1 iteration", asked: "35, with Coulomb friction; 0.5 mm deep", when_asked: "75, without" },
     Shake {
         name: "coulomb",
         asked: "100; worst: twice the median; 20 of 30000 strand steps unconverged; 0.1 mm deep",
         when_asked: "219 to 231",
-        remark: "",
     },
-    Shake { name: "coulomb, residual 1e-6", asked: "180; the rest as above", when_asked: "466", remark: "" },
+    Shake { name: "coulomb, residual 1e-6", asked: "180; the rest as above", when_asked: "466" },
 ];
 
 /// Whether something was asked for a model on the shaken head.
@@ -196,8 +189,7 @@ fn shaken(shaken: &[Shaken]) -> Vec<Row> {
             over_free: None,
             worst: Some(quantile(&shaken.milliseconds, 1.0)),
             note: format!(
-                "{}{unconverged} of {strand_steps} strand steps unconverged; {:.3} mm deep; {iterations:.2} iterations",
-                shake.remark,
+                "{unconverged} of {strand_steps} strand steps unconverged; {:.3} mm deep; {iterations:.2} iterations",
                 1e3 * overlap
             ),
         })

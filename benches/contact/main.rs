@@ -214,8 +214,7 @@ fn shakes(
         "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,contacts,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
     );
     let mut all = Vec::new();
-    // (At points, strands that collide with strands use penalties.)
-    for model in MODELS.into_iter().filter(|model| model.0 != ContactModel::AtPoints && wanted(model.3)) {
+    for model in MODELS.into_iter().filter(|model| wanted(model.3)) {
         let out = shake(defs, head, model, steps, threads, work)?;
         let at = |share: f64| quantile(&out.milliseconds, share);
         let row = format!(

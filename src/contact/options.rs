@@ -28,7 +28,7 @@ pub enum ContactModel {
     /// times as stiff as what a point's inertia and the strand's bending put against them in the step, so that by default most surfaces sink
     /// into each other by tenths of a millimetre at most. Two to four iterations leave some strands a centimetre deep where a body moves fast. Strands
     /// pass and pierce what is thinner than their points are apart. Strands that collide with others or
-    /// have constraints are stepped as with [`ContactModel::Penalty`].
+    /// have constraints are stepped as with [`ContactModel::Penalty`], but with Coulomb's friction.
     AtPoints = 5,
 }
 
@@ -47,6 +47,16 @@ impl ContactModel {
     /// Whether surfaces may sink into each other.
     pub fn is_soft(self) -> bool {
         matches!(self, Self::Penalty | Self::RegularisedPenalty | Self::AtPoints)
+    }
+
+    /// Whether strands are held apart by springs whose force is proportional to the depth.
+    pub fn has_linear_springs(self) -> bool {
+        matches!(self, Self::Penalty | Self::AtPoints)
+    }
+
+    /// Whether friction is proportional to the velocity instead of Coulomb's.
+    pub fn has_viscous_friction(self) -> bool {
+        matches!(self, Self::Penalty | Self::RegularisedPenalty)
     }
 }
 
@@ -67,9 +77,9 @@ pub struct ContactOptions {
     pub model: ContactModel,
     /// Whether strands collide with each other. False: only with bodies, and costs nothing.
     pub hair: bool,
-    /// Penalty: k of one contact, N/m; above zero.
+    /// Penalty, and at points of strands that collide with others: k of one contact, N/m; above zero.
     pub stiffness: f64,
-    /// Penalty: the factor of k that damps approach and separation, s; zero or above.
+    /// The same: the factor of k that damps approach and separation, s; zero or above.
     pub damping: f64,
     /// Regularised penalty: d_reg, m; above zero.
     pub regularisation_depth: f64,
@@ -202,9 +212,9 @@ pub struct StrandContact {
     /// The same for other strands: the radius of the wisp for which it stands, m; zero: it collides with no strand. Strands whose roots
     /// are closer than the sum of their radii touch only beyond that length from their roots: no force parts them there.
     pub wisp_radius: f64,
-    /// Coulomb's coefficient against bodies, multiplied by the body's (hard and Coulomb models).
+    /// Coulomb's coefficient against bodies, multiplied by the body's (Coulomb, at points).
     pub friction: Friction,
-    /// Coulomb's coefficient against strands: the mean of both (hard and Coulomb models).
+    /// Coulomb's coefficient against strands: the mean of both (Coulomb, at points).
     pub hair_friction: Friction,
     /// Viscous friction of a contact, N·s/m (penalty models), against bodies (multiplied by the body's) and strands (the mean of both).
     pub viscous_friction: Friction,

@@ -55,6 +55,17 @@ const WORK_A_CANDIDATE: u64 = 600;
 /// Pairs of strands per task.
 const PAIRS_PER_TASK: usize = 32;
 
+/// What contacts are looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SearchFor {
+    /// All that may close in the substep, at its start.
+    Start,
+    /// Overlaps at the present iterate.
+    Overlaps,
+    /// The deepest overlap: wisps are left out where one with a body is deeper than any two of them can be.
+    Deepest,
+}
+
 /// The pairs of strands of a task, from this one on, and their contacts.
 #[derive(Debug, Default)]
 struct PairTask {
@@ -72,6 +83,8 @@ pub(crate) struct ContactDetection {
     of: Vec<u32>,
     ready: bool,
     hair: Vec<ContactPoint>,
+    /// Whether the last search has left out wisps, see [`SearchFor::Deepest`].
+    left_out_hair: bool,
     tasks: Vec<PairTask>,
     /// Which strands are tied together, by their indices in the solver; and which of the wisps.
     tied: Vec<Tie>,
@@ -119,15 +132,20 @@ impl ContactDetection {
     /// Finds the contacts at the present iterate of all strands that have moved since their last search; those of two strands
     /// that have not are known. At the start of a substep these include contacts that may close, later only overlaps. If the
     /// meter halts it some are missing, and their strands still count as moved.
-    pub fn find<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &mut [ConstrainedStrand], at_start: bool) {
+    pub fn find<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &mut [ConstrainedStrand], what: SearchFor) {
         let begins = Instant::now();
-        self.search(stepping, strands, at_start);
+        self.search(stepping, strands, what);
         self.seconds += begins.elapsed().as_secs_f64();
     }
 
-    fn search<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &mut [ConstrainedStrand], at_start: bool) {
+    /// Whether the last search has left out wisps.
+    pub fn has_left_out_hair(&self) -> bool {
+        self.left_out_hair
+    }
+
+    fn search<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &mut [ConstrainedStrand], what: SearchFor) {
         self.hair.clear();
-        if at_start {
+        if what == SearchFor::Start {
             self.allows = strands.iter().any(|strand| strand.permitted_overlap.is_some());
         }
         let unseen = unseen(stepping.options);
@@ -142,8 +160,9 @@ impl ContactDetection {
                 }
             });
         }
-        if stepping.options.hair && !stepping.meter.is_halted() {
-            self.find_hair(stepping, strands, at_start);
+        self.left_out_hair = what == SearchFor::Deepest && stepping.options.hair && are_deeper_in_bodies(strands);
+        if stepping.options.hair && !self.left_out_hair && !stepping.meter.is_halted() {
+            self.find_hair(stepping, strands, what == SearchFor::Start);
         }
         if stepping.meter.is_halted() {
             return;
@@ -338,6 +357,12 @@ impl ContactDetection {
             .flat_map(|(k, constrained)| constrained.found.iter().map(move |contact| (k as u32, contact)));
         bodies.chain(self.hair.iter().map(|contact| (contact.point.strand, contact)))
     }
+}
+
+/// Whether some strand is deeper in a body, by the present search, than any two wisps can be in each other.
+fn are_deeper_in_bodies(strands: &[ConstrainedStrand]) -> bool {
+    let deepest = strands.iter().flat_map(|strand| &strand.found).fold(0.0, |deepest: f64, contact| deepest.max(-contact.gap));
+    deepest > 2.0 * strands.iter().map(|strand| strand.contact.wisp_radius).fold(0.0, f64::max)
 }
 
 /// Strands that have moved by no more than this since their last search are not searched again, m.

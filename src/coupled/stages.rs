@@ -4,7 +4,7 @@
 use super::constrained_strand::ConstrainedStrand;
 use super::contact_limit;
 use super::coupled_step::{CoupledScene, CoupledStep, Scratch, Stepping};
-use super::detection::unseen;
+use super::detection::{SearchFor, unseen};
 use super::iterations::IterationTally;
 use crate::meter::Stopped;
 use crate::platform::Instant;
@@ -96,7 +96,7 @@ impl CoupledStep {
     fn detect<S: Scratch>(&mut self, stepping: &Stepping<S>, scene: &mut dyn CoupledScene) -> Option<Stage> {
         let strands = &mut self.strands[..self.count];
         self.constraints.clear();
-        self.detection.find(stepping, strands, true);
+        self.detection.find(stepping, strands, SearchFor::Start);
         if !stepping.meter.is_halted() {
             self.detection.constraints(stepping, strands, &mut self.constraints);
         }
@@ -158,7 +158,7 @@ impl CoupledStep {
     fn search<S: Scratch>(&mut self, stepping: &Stepping<S>, round: &mut Round, tally: &mut IterationTally) -> Option<Stage> {
         let lets_go = round.search == LETS_GO && self.is_left(LETS_GO_ITERATIONS, stepping.meter);
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-        self.detection.find(stepping, strands, false);
+        self.detection.find(stepping, strands, SearchFor::Overlaps);
         if stepping.meter.is_halted() {
             return self.interrupt(stepping);
         }
@@ -181,7 +181,7 @@ impl CoupledStep {
     /// The last search: no more contacts are added, and what there is is reported.
     fn search_last<S: Scratch>(&mut self, stepping: &Stepping<S>) -> Option<Stage> {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-        self.detection.find(stepping, strands, false);
+        self.detection.find(stepping, strands, SearchFor::Overlaps);
         if stepping.meter.is_halted() || !self.detection.report_undetected(stepping, strands, islands) {
             return self.interrupt(stepping);
         }
@@ -237,7 +237,7 @@ impl CoupledStep {
         for constrained in strands.iter_mut() {
             constrained.step.gone = if all || is_looked_at(constrained) { f64::INFINITY } else { 0.0 };
         }
-        self.detection.find(stepping, strands, false);
+        self.detection.find(stepping, strands, if all { SearchFor::Deepest } else { SearchFor::Overlaps });
         self.detection.report_depths(stepping, strands, islands, true);
         if stepping.meter.is_halted() || !strands.iter().any(ConstrainedStrand::lags) {
             return;
@@ -247,7 +247,7 @@ impl CoupledStep {
             constrained.look_around(stepping.bodies);
             constrained.step.gone = if constrained.lags() { f64::INFINITY } else { 0.0 };
         }
-        self.detection.find(stepping, strands, false);
+        self.detection.find(stepping, strands, SearchFor::Overlaps);
         self.detection.report_depths(stepping, strands, islands, false);
     }
 }

@@ -10,6 +10,7 @@ mod delassus_operator;
 mod determinism;
 mod distance_grids;
 mod drawn_grooms_at_rest;
+mod friction_between_hairs;
 mod friction_laws;
 mod gentle_contact;
 mod grooves;

@@ -26,7 +26,7 @@ pub const SHX_CONTACT_COULOMB: u32 = 3;
 /// precision too. By default most contacts penetrate by tenths of a millimetre at most. max_iterations 2 to
 /// 4 saves a third of the time and leaves some strands a centimetre deep where a body moves fast. Strands
 /// pass or pierce what is thinner than their points are apart. Strands that collide with strands or have
-/// constraints use SHX_CONTACT_PENALTY.
+/// constraints use the springs of SHX_CONTACT_PENALTY, with Coulomb friction.
 pub const SHX_CONTACT_AT_POINTS: u32 = 4;
 
 /// How a solver handles contact. Fill it with shx_contact_options_init.
@@ -49,9 +49,11 @@ pub struct shx_contact_options {
     pub max_sweeps: u32,
     /// Must be 0.
     pub reserved0: u32,
-    /// Penalty models: stiffness of a contact, N/m; above zero. Default 10.
+    /// Penalty models, and SHX_CONTACT_AT_POINTS for strands that collide with strands or have constraints:
+    /// stiffness of a contact, N/m; above zero. Default 10.
     pub stiffness: f64,
-    /// SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+    /// The same, but not SHX_CONTACT_REGULARISED_PENALTY: damping along the normal as a multiple of stiffness, s;
+    /// zero or above. Default 1e-3.
     pub damping: f64,
     /// SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.
     pub regularisation_depth: f64,

@@ -23,6 +23,9 @@ const GENTLE: f64 = 0.01;
 /// iteration before.
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
+/// The same of an island's first problem with springs: a thousandth of the largest force (root mean square), and less than what its
+/// linear model misses.
+const FIRST_OF_SPRINGS: f64 = 3e-2;
 /// The tolerance with bilateral constraints, which hold to the last digit.
 const CONSTRAINED: f64 = 1e-8;
 /// Viscous friction is in full force where the normal force exceeds this fraction of the lightest strand's weight.
@@ -117,6 +120,7 @@ impl Island {
         let size = self.progress.report.size;
         let deserved = match self.progress.iterations {
             _ if self.included.len() <= SMALL && longest <= GENTLE * self.shortest_element(strands) => 0.0,
+            1 if options.model.has_linear_springs() => FIRST_OF_SPRINGS,
             1 => FIRST * size,
             _ => (FIRST * size).min(FORCING * self.progress.law_residual),
         };

@@ -31,7 +31,7 @@ impl StepConstraint {
                 let start_gap = gap - normal.dot(&slip);
                 let pick = |friction: &options::Friction| scales(friction, a.tangent);
                 let scaled = |c: Coefficient, by: f64| Coefficient { mean: c.mean * by, lean: c.lean * by };
-                let friction = if options.model.is_soft() {
+                let friction = if options.model.has_viscous_friction() {
                     self.viscous(scaled(pick(&contact[0].viscous_friction), friction[1]), normal, slip)
                 } else {
                     Friction::Coulomb(scaled(pick(&contact[0].friction), friction[0]))
@@ -45,7 +45,7 @@ impl StepConstraint {
                 let both = |first: &options::Friction, second: &options::Friction| {
                     Coefficient::of_two(scales(first, a.tangent), scales(second, b.tangent))
                 };
-                let friction = if options.model.is_soft() {
+                let friction = if options.model.has_viscous_friction() {
                     self.viscous(both(&contact[0].viscous_friction, &contact[1].viscous_friction), normal, slip)
                 } else {
                     Friction::Coulomb(both(&contact[0].hair_friction, &contact[1].hair_friction))

@@ -74,6 +74,7 @@ impl ConstrainedSubstep {
     /// Writes down the results of strands and constraints, except those that have taken the substep in substeps; of these only
     /// the roots, which are where the host has put them.
     pub(super) fn report(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
+        let left_out_hair = self.coupled.detection().has_left_out_hair();
         let (strands, islands) = (self.coupled.strands(), self.coupled.islands());
         let contact = &mut *account.contact;
         (contact.contacts, contact.roots_inside, contact.capped) = (0, 0, 0);
@@ -105,7 +106,8 @@ impl ConstrainedSubstep {
                         scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
-                        let was_measured = was_searched && -constraint.gap > scene.options.tolerated_depth();
+                        let was_looked_at = was_searched && !(left_out_hair && constraint.second.is_some());
+                        let was_measured = was_looked_at && -constraint.gap > scene.options.tolerated_depth();
                         if !was_measured {
                             contact.penetration = contact.penetration.max(depth(constraint, strands, scene.options.tolerance));
                         }
