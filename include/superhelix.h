@@ -1780,7 +1780,7 @@ SHX_API shx_result shx_distance_grid_bake(const shx_distance_grid_def *def, void
 // precision too. By default most contacts penetrate by tenths of a millimetre at most. max_iterations 2 to
 // 4 saves a third of the time and leaves some strands a centimetre deep where a body moves fast. Strands
 // pass or pierce what is thinner than their points are apart. Strands that collide with strands or have
-// constraints use SHX_CONTACT_PENALTY.
+// constraints use the springs of SHX_CONTACT_PENALTY, with Coulomb friction.
 #define SHX_CONTACT_AT_POINTS 4
 
 // How a solver handles contact. Fill it with shx_contact_options_init.
@@ -1801,9 +1801,11 @@ typedef struct shx_contact_options {
   uint32_t max_sweeps;
   // Must be 0.
   uint32_t reserved0;
-  // Penalty models: stiffness of a contact, N/m; above zero. Default 10.
+  // Penalty models, and strands that collide with strands or have constraints at points: stiffness of a
+  // contact, N/m; above zero. Default 10.
   double stiffness;
-  // SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+  // The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or
+  // above. Default 1e-3.
   double damping;
   // SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.
   double regularisation_depth;

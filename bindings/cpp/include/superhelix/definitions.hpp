@@ -985,13 +985,14 @@ struct contact_options : shx_contact_options {
     return *this;
   }
 
-  // Penalty models: stiffness of a contact, N/m; above zero. Default 10.
+  // Penalty models, and strands that collide with strands or have constraints at points: stiffness of a contact, N/m; above zero. Default
+  // 10.
   contact_options &with_stiffness(double value) {
     stiffness = value;
     return *this;
   }
 
-  // SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+  // The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
   contact_options &with_damping(double value) {
     damping = value;
     return *this;

@@ -715,9 +715,13 @@ class ContactOptions(Record):
         "island that reaches one is solved again with compliant contacts."
     )
     max_sweeps = IntField("Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.")
-    stiffness = FloatField("Penalty models: stiffness of a contact, N/m; above zero. Default 10.")
+    stiffness = FloatField(
+        "Penalty models, and strands that collide with strands or have constraints at points: stiffness of a contact, N/m; above "
+        "zero. Default 10."
+    )
     damping = FloatField(
-        "ContactModel.PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3."
+        "The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or above. Default "
+        "1e-3."
     )
     regularisation_depth = FloatField(
         "ContactModel.REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4."

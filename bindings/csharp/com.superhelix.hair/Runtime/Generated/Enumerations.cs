@@ -270,7 +270,7 @@ namespace Superhelix
     /// at the tip, with Coulomb friction, as part of the free step and in single precision too. By default most contacts penetrate by
     /// tenths of a millimetre at most. max_iterations 2 to 4 saves a third of the time and leaves some strands a centimetre deep where a
     /// body moves fast. Strands pass or pierce what is thinner than their points are apart. Strands that collide with strands or have
-    /// constraints use SHX_CONTACT_PENALTY.
+    /// constraints use the springs of SHX_CONTACT_PENALTY, with Coulomb friction.
     /// </summary>
     AtPoints = 4,
   }

@@ -596,9 +596,14 @@ namespace Superhelix
     /// <summary>Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.</summary>
     public uint MaxSweeps;
     internal uint reserved0;
-    /// <summary>Penalty models: stiffness of a contact, N/m; above zero. Default 10.</summary>
+    /// <summary>
+    /// Penalty models, and strands that collide with strands or have constraints at points: stiffness of a contact, N/m; above zero.
+    /// Default 10.
+    /// </summary>
     public double Stiffness;
-    /// <summary>SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.</summary>
+    /// <summary>
+    /// The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+    /// </summary>
     public double Damping;
     /// <summary>SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.</summary>
     public double RegularisationDepth;
