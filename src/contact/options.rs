@@ -50,12 +50,12 @@ impl ContactModel {
     }
 
     /// Whether strands are held apart by springs whose force is proportional to the depth.
-    pub fn has_linear_springs(self) -> bool {
+    pub(crate) fn has_linear_springs(self) -> bool {
         matches!(self, Self::Penalty | Self::AtPoints)
     }
 
     /// Whether friction is proportional to the velocity instead of Coulomb's.
-    pub fn has_viscous_friction(self) -> bool {
+    pub(crate) fn has_viscous_friction(self) -> bool {
         matches!(self, Self::Penalty | Self::RegularisedPenalty)
     }
 }

@@ -83,7 +83,7 @@ pub(crate) struct ContactDetection {
     of: Vec<u32>,
     ready: bool,
     hair: Vec<ContactPoint>,
-    /// Whether the last search has left out wisps, see [`SearchFor::Deepest`].
+    /// Whether the substep's search for the deepest overlap has left out wisps.
     left_out_hair: bool,
     tasks: Vec<PairTask>,
     /// Which strands are tied together, by their indices in the solver; and which of the wisps.
@@ -138,7 +138,7 @@ impl ContactDetection {
         self.seconds += begins.elapsed().as_secs_f64();
     }
 
-    /// Whether the last search has left out wisps.
+    /// Whether the search for the deepest overlap, if there was one in this substep, has left out wisps.
     pub fn has_left_out_hair(&self) -> bool {
         self.left_out_hair
     }
@@ -160,8 +160,11 @@ impl ContactDetection {
                 }
             });
         }
-        self.left_out_hair = what == SearchFor::Deepest && stepping.options.hair && are_deeper_in_bodies(strands);
-        if stepping.options.hair && !self.left_out_hair && !stepping.meter.is_halted() {
+        let leaves_out_hair = what == SearchFor::Deepest && stepping.options.hair && are_deeper_in_bodies(strands);
+        if what != SearchFor::Overlaps {
+            self.left_out_hair = leaves_out_hair;
+        }
+        if stepping.options.hair && !leaves_out_hair && !stepping.meter.is_halted() {
             self.find_hair(stepping, strands, what == SearchFor::Start);
         }
         if stepping.meter.is_halted() {

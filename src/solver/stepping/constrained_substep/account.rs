@@ -106,11 +106,10 @@ impl ConstrainedSubstep {
                         scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
-                        let was_looked_at = was_searched && !(left_out_hair && constraint.second.is_some());
-                        let was_measured = was_looked_at && -constraint.gap > scene.options.tolerated_depth();
-                        if !was_measured {
-                            contact.penetration = contact.penetration.max(depth(constraint, strands, scene.options.tolerance));
-                        }
+                        let was_left_out = left_out_hair && constraint.second.is_some();
+                        let was_measured = was_searched && !was_left_out && -constraint.gap > scene.options.tolerated_depth();
+                        let deep = if was_measured { 0.0 } else { depth(constraint, strands, scene.options.tolerance) };
+                        contact.penetration = contact.penetration.max(deep);
                         // (A contact with friction but no pressure is none, nor is one that pulls, as left by an iteration that
                         // was cut or given up.)
                         if constraint.force == Vector3::zeros()
@@ -143,7 +142,11 @@ impl ConstrainedSubstep {
                         };
                         let slip = constraint.slip - normal * normal.dot(&constraint.slip);
                         // The gap at the place where a contact was found may be deeper than the search says.
-                        let gap = if was_measured { constraint.gap.max(-island.left.deep) } else { constraint.gap };
+                        let gap = match () {
+                            () if was_measured => constraint.gap.max(-island.left.deep),
+                            () if was_left_out => -deep,
+                            () => constraint.gap,
+                        };
                         self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
                     }
                 }
