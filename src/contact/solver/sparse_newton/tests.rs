@@ -50,53 +50,6 @@ fn random(seed: u64) -> ContactSpace {
     space
 }
 
-#[test]
-fn search() {
-    use crate::contact::solver::gauss_seidel::Scales;
-    for kind in 0..3 {
-    for seed in 0..150_u64 {
-        let numbers = Seeded::new(seed, 7);
-        let mut index = 0;
-        let mut unit = || { index += 1; numbers.unit(index) };
-        let count = 60;
-        let build = |shift: f64| {
-            let numbers = Seeded::new(seed, 9);
-            let mut index = 0;
-            let mut unit = || { index += 1; numbers.unit(index) };
-            let mut space = cantilevers(count);
-            for _ in 0..220 {
-                let mut pick = |most: u32| (unit() * f64::from(most)) as u32;
-                let (strand, point, k, reach, other) = (pick(count), pick(POINTS), pick(10), pick(3), pick(POINTS));
-                let second = match k { 0 => None, _ => Some(((strand + 1 + reach) % count, other)) };
-                let normal = Vector3::new(unit() - 0.5, unit() - 0.5, unit() + 0.1).normalize();
-                let off = Vector3::new(unit() - 0.5, unit() - 0.5, unit() - 0.5);
-                let unconstrained = off * (1.0 + shift * (unit() - 0.5));
-                touch(&mut space, (strand, point), second, normal, unconstrained);
-                if kind > 0 && unit() < 0.3 {
-                    let normal = (normal + Vector3::new(unit() - 0.5, unit() - 0.5, unit() - 0.5) * 0.3).normalize();
-                    let (a, b) = (point.saturating_sub(1), second.map(|(s, p)| (s, p.saturating_sub(1))));
-                    touch(&mut space, (strand, if kind == 1 { point } else { a }), if kind == 1 { second } else { b }, normal, unconstrained * (0.9 + 0.2 * unit()));
-                }
-            }
-            space
-        };
-        let _ = unit();
-        let before = build(0.0);
-        let mut forces = vec![Vector3::zeros(); before.constraints().len()];
-        let scales = Scales::Fixed { force: 1e-3, length: 1e-3 };
-        let first = GaussSeidel::default().solve(&before, &Settings { tolerance: 1e-3, max_sweeps: 5000, scales, ..Settings::default() }, &mut forces);
-        let mut line = format!("kind {kind} seed {seed} first {:.1e}", first.residual);
-        for shift in [1e-3, 1e-2] {
-            let mut f = forces.clone();
-            let after = build(shift);
-            let report = GaussSeidel::default().solve(&after, &Settings { tolerance: 1e-6, max_sweeps: 500, scales, ..Settings::default() }, &mut f);
-            line += &format!(" | {shift} {:.1e} {} {}", report.residual, report.sweeps, if report.residual <= 1e-6 { "ok" } else { "FAIL" });
-        }
-        println!("{line}");
-    }
-    }
-}
-
 /// All laws, linearised where the forces bring the strands.
 fn linearised(space: &ContactSpace, system: &System, forces: &[Vector3<f64>]) -> Vec<Linear> {
     let law = |(row, force): (&Row, &Vector3<f64>)| {
