@@ -6,7 +6,7 @@ use super::*;
 use crate::contact::constraint::law::Law;
 use crate::contact::solver::dense;
 use crate::contact::solver::gauss_seidel::tests::{Backwards, POINTS, cantilevers, touch};
-use crate::contact::solver::gauss_seidel::{GaussSeidel, Settings};
+use crate::contact::solver::gauss_seidel::{GaussSeidel, Scales, Settings};
 use crate::contact::solver::system::Row;
 use crate::math::random::Seeded;
 use crate::workers::Workers;
@@ -46,6 +46,31 @@ fn random(seed: u64) -> ContactSpace {
         let normal = Vector3::new(unit() - 0.5, unit() - 0.5, unit() + 0.1).normalize();
         let unconstrained = Vector3::new(unit() - 0.5, unit() - 0.5, unit() - 0.5);
         touch(&mut space, (strand, point), second, normal, unconstrained);
+    }
+    space
+}
+
+/// Strands that touch others at random, some twice at one place, by normals that differ a little: these pairs of contacts hardly differ
+/// in what they move. Loads differ by up to half of `change`, a fraction, from those without.
+fn twice_at_a_place(seed: u64, change: f64) -> ContactSpace {
+    let (numbers, mut index) = (Seeded::new(seed, 9), 0);
+    let mut unit = || {
+        index += 1;
+        numbers.unit(index)
+    };
+    let count = 60;
+    let mut space = cantilevers(count);
+    for _ in 0..220 {
+        let mut pick = |most: u32| (unit() * f64::from(most)) as u32;
+        let (strand, point, kind, reach, other) = (pick(count), pick(POINTS), pick(10), pick(3), pick(POINTS));
+        let second = (kind > 0).then_some(((strand + 1 + reach) % count, other));
+        let normal = Vector3::new(unit() - 0.5, unit() - 0.5, unit() + 0.1).normalize();
+        let unconstrained = Vector3::new(unit() - 0.5, unit() - 0.5, unit() - 0.5) * (1.0 + change * (unit() - 0.5));
+        touch(&mut space, (strand, point), second, normal, unconstrained);
+        if unit() < 0.3 {
+            let turned = (normal + Vector3::new(unit() - 0.5, unit() - 0.5, unit() - 0.5) * 0.3).normalize();
+            touch(&mut space, (strand, point), second, turned, unconstrained * (0.9 + 0.2 * unit()));
+        }
     }
     space
 }
@@ -134,4 +159,21 @@ fn a_tall_stack_is_solved_from_near_its_solution_where_sweeps_would_take_thousan
     let on_the_ground: f64 = forces[..3].iter().map(|force| force.z).sum();
     let on_top: f64 = forces[forces.len() - 3..].iter().map(|force| force.z).sum();
     assert!(on_the_ground > 0.1 * on_top && on_top > 0.0, "{on_the_ground} {on_top}");
+}
+
+#[test]
+fn what_holds_up_all_contacts_at_once_is_solved_by_itself() {
+    let settings = Settings { scales: Scales::Fixed { force: 1e-3, length: 1e-3 }, ..Settings::default() };
+    for seed in [4, 51] {
+        let space = twice_at_a_place(seed, 0.0);
+        let mut forces = vec![Vector3::zeros(); space.constraints().len()];
+        let settings = Settings { tolerance: 1e-3, ..settings };
+        let report = GaussSeidel::default().solve(&space, &settings, &mut forces);
+        assert!(report.residual <= settings.tolerance, "{seed}: {report:?}");
+        for change in [1e-3, 1e-2] {
+            let settings = Settings { tolerance: 1e-6, ..settings };
+            let report = GaussSeidel::default().solve(&twice_at_a_place(seed, change), &settings, &mut forces.clone());
+            assert!(report.residual <= settings.tolerance, "{seed}, {change}: {report:?}");
+        }
+    }
 }
