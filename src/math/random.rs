@@ -30,14 +30,21 @@ impl Seeded {
     }
 }
 
+/// Numbers from 0 to 1 in turn, for tests.
+#[cfg(test)]
+pub(crate) fn unit_numbers(seed: u64, purpose: u64) -> impl FnMut() -> f64 {
+    let (random, mut count) = (Seeded::new(seed, purpose), 0);
+    move || {
+        count += 1;
+        random.unit(count)
+    }
+}
+
 /// Numbers from −1 to 1 in turn, for tests.
 #[cfg(test)]
 pub(crate) fn signed_numbers(seed: u64) -> impl FnMut() -> f64 {
-    let (random, mut count) = (Seeded::new(seed, 0), 0);
-    move || {
-        count += 1;
-        2.0 * random.unit(count) - 1.0
-    }
+    let mut unit = unit_numbers(seed, 0);
+    move || 2.0 * unit() - 1.0
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::contact::solver::dense;
 use crate::contact::solver::gauss_seidel::tests::{Backwards, POINTS, cantilevers, touch};
 use crate::contact::solver::gauss_seidel::{GaussSeidel, Scales, Settings};
 use crate::contact::solver::system::Row;
-use crate::math::random::Seeded;
+use crate::math::random::{Seeded, unit_numbers};
 use crate::workers::Workers;
 
 /// Strands that lie on each other, each at three places, the lowest on the ground; a load presses and pulls them all.
@@ -28,11 +28,7 @@ fn stack(height: u32, load: f64) -> ContactSpace {
 
 /// Strands that touch others at random, some themselves, some the ground.
 fn random(seed: u64) -> ContactSpace {
-    let (numbers, mut index) = (Seeded::new(seed, 0), 0);
-    let mut unit = || {
-        index += 1;
-        numbers.unit(index)
-    };
+    let mut unit = unit_numbers(seed, 0);
     let count = 30;
     let mut space = cantilevers(count);
     for _ in 0..150 {
@@ -53,11 +49,7 @@ fn random(seed: u64) -> ContactSpace {
 /// Strands that touch others at random, some twice at one place, by normals that differ a little: these pairs of contacts hardly differ
 /// in what they move. Loads differ by up to half of `change`, a fraction, from those without.
 fn twice_at_a_place(seed: u64, change: f64) -> ContactSpace {
-    let (numbers, mut index) = (Seeded::new(seed, 9), 0);
-    let mut unit = || {
-        index += 1;
-        numbers.unit(index)
-    };
+    let mut unit = unit_numbers(seed, 9);
     let count = 60;
     let mut space = cantilevers(count);
     for _ in 0..220 {
