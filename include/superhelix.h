@@ -1801,11 +1801,11 @@ typedef struct shx_contact_options {
   uint32_t max_sweeps;
   // Must be 0.
   uint32_t reserved0;
-  // Penalty models, and strands that collide with strands or have constraints at points: stiffness of a
-  // contact, N/m; above zero. Default 10.
+  // Penalty models: stiffness of a contact, N/m; above zero. Default 10. SHX_CONTACT_AT_POINTS uses it for
+  // strands that collide with strands or have constraints.
   double stiffness;
-  // The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or
-  // above. Default 1e-3.
+  // SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+  // SHX_CONTACT_AT_POINTS uses it where it uses stiffness.
   double damping;
   // SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.
   double regularisation_depth;

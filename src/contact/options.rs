@@ -77,9 +77,9 @@ pub struct ContactOptions {
     pub model: ContactModel,
     /// Whether strands collide with each other. False: only with bodies, and costs nothing.
     pub hair: bool,
-    /// Penalty, and at points of strands that collide with others: k of one contact, N/m; above zero.
+    /// Penalty: k of one contact, N/m; above zero. At points: the same for strands that collide with others or have constraints.
     pub stiffness: f64,
-    /// The same: the factor of k that damps approach and separation, s; zero or above.
+    /// Penalty: the factor of k that damps approach and separation, s; zero or above. At points: where `stiffness` counts.
     pub damping: f64,
     /// Regularised penalty: d_reg, m; above zero.
     pub regularisation_depth: f64,

@@ -49,11 +49,11 @@ pub struct shx_contact_options {
     pub max_sweeps: u32,
     /// Must be 0.
     pub reserved0: u32,
-    /// Penalty models, and strands that collide with strands or have constraints at points: stiffness of a
-    /// contact, N/m; above zero. Default 10.
+    /// Penalty models: stiffness of a contact, N/m; above zero. Default 10. SHX_CONTACT_AT_POINTS uses it for
+    /// strands that collide with strands or have constraints.
     pub stiffness: f64,
-    /// The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or
-    /// above. Default 1e-3.
+    /// SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+    /// SHX_CONTACT_AT_POINTS uses it where it uses stiffness.
     pub damping: f64,
     /// SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.
     pub regularisation_depth: f64,

@@ -985,14 +985,15 @@ struct contact_options : shx_contact_options {
     return *this;
   }
 
-  // Penalty models, and strands that collide with strands or have constraints at points: stiffness of a contact, N/m; above zero. Default
-  // 10.
+  // Penalty models: stiffness of a contact, N/m; above zero. Default 10. SHX_CONTACT_AT_POINTS uses it for strands that collide with
+  // strands or have constraints.
   contact_options &with_stiffness(double value) {
     stiffness = value;
     return *this;
   }
 
-  // The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
+  // SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3. SHX_CONTACT_AT_POINTS uses it
+  // where it uses stiffness.
   contact_options &with_damping(double value) {
     damping = value;
     return *this;

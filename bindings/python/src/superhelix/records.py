@@ -716,12 +716,12 @@ class ContactOptions(Record):
     )
     max_sweeps = IntField("Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.")
     stiffness = FloatField(
-        "Penalty models, and strands that collide with strands or have constraints at points: stiffness of a contact, N/m; above "
-        "zero. Default 10."
+        "Penalty models: stiffness of a contact, N/m; above zero. Default 10. ContactModel.AT_POINTS uses it for strands that "
+        "collide with strands or have constraints."
     )
     damping = FloatField(
-        "The same without the regularised model: damping along the normal as a multiple of stiffness, s; zero or above. Default "
-        "1e-3."
+        "ContactModel.PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3. "
+        "ContactModel.AT_POINTS uses it where it uses stiffness."
     )
     regularisation_depth = FloatField(
         "ContactModel.REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4."
