@@ -3,12 +3,12 @@
 use nalgebra::Vector3;
 
 use super::body_at::BodyAt;
-use super::ccd::entrance::entered;
+use super::ccd::entrance::{Way, WayEnd, way};
 use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
 use super::shape::{STEEPEST_DISTANCE, Surface};
 use crate::math::vector::Vec3;
-use crate::step::at_points::surfaces::{Entered, NEAR, NearestSurfaces, STEEPEST, SurfaceAtPoint, Surfaces};
+use crate::step::at_points::surfaces::{Entered, NEAR, NearestSurfaces, Passed, STEEPEST, SurfaceAtPoint, Surfaces};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;
@@ -131,22 +131,36 @@ impl Surfaces for StrandSurfaces<'_> {
         ways.fold(0.0, f64::max).sqrt()
     }
 
-    fn entered(&self, arclength: f64, [start, now]: [Vec3<f64>; 2], gap: f64) -> Option<Entered> {
+    fn passed(&self, arclength: f64, [start, now]: [Vec3<f64>; 2], nearest: &Result<NearestSurfaces, f64>) -> Passed {
+        let mut passed = Passed::default();
         if arclength < self.contact.exempt_length {
-            return None;
+            return passed;
         }
-        self.near.iter().find_map(|index| {
+        let gap = |surface: &SurfaceAtPoint| surface.gap - surface.permitted;
+        let least = nearest.as_ref().map_or_else(|at_least| *at_least, |found| gap(&found.nearest));
+        for index in self.near {
             let body = &self.bodies[*index as usize];
             let ends = body.way(start.into(), now.into());
             let length = (ends[1] - ends[0]).norm();
-            if length < NEAR || gap > body.shape.distance_slope() * length {
-                return None;
+            if length < NEAR || least > body.shape.distance_slope() * length {
+                continue;
             }
             let margin = self.margin(body);
-            let (place, surface) = entered(body.shape, ends, margin)?;
-            let place = body.end.origin + body.to_world(&place);
-            let found = Found { gap: surface.distance - margin, body, surface };
-            Some(Entered { surface: self.surface(&found, 0.0), place: place.into() })
-        })
+            let known = nearest.as_ref().ok().and_then(|found| found.iter().find(|surface| surface.body == *index));
+            let end = known.map_or(WayEnd::NoNearer(least + margin), |surface| {
+                WayEnd::At(gap(surface) + margin, body.axes_end.tr_mul(&surface.normal.into()))
+            });
+            let Way { start, entrance } = way(body.shape, ends, margin, end);
+            if passed.start.is_none() && known.is_some() {
+                passed.start = start.map(|distance| (*index, margin - distance - self.permitted(arclength)));
+            }
+            if let Some((place, surface)) = entrance {
+                let place = body.end.origin + body.to_world(&place);
+                let found = Found { gap: surface.distance - margin, body, surface };
+                passed.entered = Some(Entered { surface: self.surface(&found, 0.0), place: place.into() });
+                break;
+            }
+        }
+        passed
     }
 }

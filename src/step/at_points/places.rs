@@ -1,7 +1,7 @@
 //! What is known of the places of a strand at which the surfaces of bodies are asked for (`probes.rs`): its points, places halfway between
 //! them, and its tip.
 
-use super::surfaces::{Entered, NEAR, STEEPEST, SURFACES_AT_POINT, Surfaces};
+use super::surfaces::{Entered, NEAR, NearestSurfaces, Passed, STEEPEST, SURFACES_AT_POINT, Surfaces};
 use super::touches::{OtherSides, Side, Sides, Touch, Touches, known_in};
 use crate::math::vector::Vec3;
 
@@ -40,21 +40,28 @@ impl Place {
     }
 
     /// The side through which it has come into a body since the step began, if it has, with its gap now. It stays one for the whole step: else
-    /// a place that it has sent back would come in again.
-    fn entered(&mut self, near: &mut NearPlaces, look: &Look<impl Fn() -> Vec3<f64>>) -> Option<Side> {
+    /// a place that it has sent back would come in again. Also the depth at the start in a body, where that had to be known.
+    fn entered(
+        &mut self,
+        near: &mut NearPlaces,
+        look: &Look<impl Fn() -> Vec3<f64>>,
+        nearest: &Result<NearestSurfaces, f64>,
+    ) -> (Option<Side>, Option<(u32, f64)>) {
         if near.has_entered
             && let Some(side) = self.near.and_then(|at| near.places[at as usize].entered)
         {
-            return Some(side.at(look.now));
+            return (Some(side.at(look.now)), None);
         }
         if !look.asks.leads_far() || self.gap > STEEPEST * look.asks.way {
-            return None;
+            return (None, None);
         }
-        let Entered { surface, place } = look.asks.surfaces.entered(look.arclength, [(look.start)(), look.now], self.gap)?;
-        let side = Side::new(&surface, place);
-        known_in(&mut near.places, &mut self.near, NearPlace::NEW).entered = Some(side);
-        near.has_entered = true;
-        Some(side.at(look.now))
+        let Passed { entered, start } = look.asks.surfaces.passed(look.arclength, [(look.start)(), look.now], nearest);
+        let side = entered.map(|Entered { surface, place }| Side::new(&surface, place));
+        if side.is_some() {
+            known_in(&mut near.places, &mut self.near, NearPlace::NEW).entered = side;
+            near.has_entered = true;
+        }
+        (side.map(|side| side.at(look.now)), start)
     }
 
     /// Whether it has come into a body in this step.
@@ -70,7 +77,7 @@ impl Place {
         self.at = now;
         let found = asks.surfaces.nearest(look.arclength, now);
         self.gap = found.as_ref().map_or_else(|at_least| *at_least, |found| found.nearest.gap);
-        let entered = self.entered(near, look);
+        let (entered, start) = self.entered(near, look, &found);
         if let Some(side) = entered {
             take(asks.touch(side, 0.0));
         }
@@ -78,6 +85,9 @@ impl Place {
         if self.gap < NEAR {
             let NearPlaces { places, sides, .. } = near;
             let near = known_in(places, &mut self.near, NearPlace::NEW);
+            if let Some((body, depth)) = start {
+                near.start_depth_or(body, || depth);
+            }
             let nearest = Side::new(&found.nearest, now);
             let next = found.next.filter(|next| next.gap < NEAR).map(|next| Side::new(&next, now));
             let [leaning, other] = near.sides.keep(sides, nearest, now);
@@ -108,10 +118,15 @@ impl NearPlace {
 
     /// How deep it was in a body when the step began, m; zero for outside.
     fn depth_at_start(&mut self, look: &Look<impl Fn() -> Vec3<f64>>, body: u32) -> f64 {
+        self.start_depth_or(body, || look.asks.surfaces.depth_at_start(look.arclength, body, (look.start)()))
+    }
+
+    /// The same; if it is not known yet, `depth` tells it, or that it is zero or less.
+    fn start_depth_or(&mut self, body: u32, depth: impl FnOnce() -> f64) -> f64 {
         if let Some((_, depth)) = self.start_depth.iter().flatten().find(|(of, _)| *of == body) {
             return *depth;
         }
-        let depth = look.asks.surfaces.depth_at_start(look.arclength, body, (look.start)()).max(0.0);
+        let depth = depth().max(0.0);
         self.start_depth.rotate_right(1);
         self.start_depth[0] = Some((body, depth));
         depth

@@ -73,9 +73,18 @@ pub trait Surfaces {
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
     /// The longest way of a point past one of the bodies, in that body's axes, m.
     fn way(&self, start: Vec3<f64>, now: Vec3<f64>) -> f64;
-    /// The surface of a body through which the straight way of a point leads that began outside it; None where there is none, or where the
-    /// surface that is nearest at the end faces the same way. `gap` (m): no gap at the end is smaller.
-    fn entered(&self, arclength: f64, way: [Vec3<f64>; 2], gap: f64) -> Option<Entered>;
+    /// What the straight way of a point leads through, at whose end `nearest` was found.
+    fn passed(&self, arclength: f64, way: [Vec3<f64>; 2], nearest: &Result<NearestSurfaces, f64>) -> Passed;
+}
+
+/// What the straight way of a point leads through.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Passed {
+    /// The surface of a body through which it leads that began outside it; None where there is none, or where the surface that is nearest
+    /// at the end faces the same way.
+    pub entered: Option<Entered>,
+    /// The body nearest to its end, and the depth of the point in it when the step began, m, if that had to be known.
+    pub start: Option<(u32, f64)>,
 }
 
 /// A surface through which a point has come.
