@@ -24,12 +24,23 @@ const SET_UP: u64 = 8;
 pub struct Settings {
     /// The tolerance, see [`Report::residual`].
     pub tolerance: f64,
+    /// A smaller one, where the forces are good from the beginning.
+    pub relative: Option<RelativeTolerance>,
     /// The largest number of sweeps over all contacts.
     pub max_sweeps: u32,
     /// The scales of residuals.
     pub scales: Scales,
     /// The largest cost, nanoseconds or so: the solve ends with the round, or Newton's step, that exceeds it.
     pub max_work: u64,
+}
+
+/// A tolerance that follows from the residual that the forces have at the beginning.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RelativeTolerance {
+    /// The part of it that may be left.
+    pub part: f64,
+    /// No less is asked for than this.
+    pub least: f64,
 }
 
 /// The scales of residuals.
@@ -48,7 +59,7 @@ pub enum Scales {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_sweeps: 2000, scales: Scales::OfTheProblem, max_work: u64::MAX }
+        Self { tolerance: 1e-6, relative: None, max_sweeps: 2000, scales: Scales::OfTheProblem, max_work: u64::MAX }
     }
 }
 
@@ -143,6 +154,7 @@ impl GaussSeidel {
         let mut report = Report { work: SET_UP * sweep_work, ..Report::default() };
         let most = if system.blocks() == 1 { ONE_BLOCK } else { WHOLE };
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
+        let (mut tolerance, mut relative) = (settings.tolerance, settings.relative);
         let mut last = f64::INFINITY;
         let (mut best, mut best_at) = (f64::INFINITY, 0);
         let (mut tried_whole, mut tries) = (false, 0_u32);
@@ -151,8 +163,11 @@ impl GaussSeidel {
         loop {
             settings.scales.set(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
+            if let Some(RelativeTolerance { part, least }) = relative.take() {
+                tolerance = tolerance.min((part * report.residual).max(least));
+            }
             let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.max_work;
-            if report.residual <= settings.tolerance || spent || meter.is_halted() {
+            if report.residual <= tolerance || spent || meter.is_halted() {
                 break;
             }
             // A solve that makes no progress is left: Newton's next iteration asks again, from elsewhere.
@@ -162,7 +177,7 @@ impl GaussSeidel {
                 break;
             }
             let max_work = settings.max_work - report.work;
-            let goal = Goal { tolerance: settings.tolerance, part: 0.0, max_work, unjams: tries == 0 };
+            let goal = Goal { tolerance, part: 0.0, max_work, unjams: tries == 0 };
             let slow = report.residual > SLOW * last;
             last = report.residual;
             // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.
@@ -178,7 +193,7 @@ impl GaussSeidel {
                 report.sweeps += 1;
                 continue;
             }
-            let is_close = report.residual < CLOSE && (slow || settings.tolerance < EASY * report.residual);
+            let is_close = report.residual < CLOSE && (slow || tolerance < EASY * report.residual);
             // (Not with bilateral constraints, which make few blocks of many strands.)
             attempts_at_once = !attempts_at_once && !whole && is_close && attempts < ATTEMPTS && !system.bilateral.are_there();
             if attempts_at_once {

@@ -7,7 +7,7 @@ use super::ending::Outcome;
 use crate::contact::constraint::step_constraint::ConstraintKind;
 use crate::contact::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use crate::contact::solver::contact_space::{ContactSpace, End, SpaceConstraint};
-use crate::contact::solver::gauss_seidel::{GaussSeidel, Scales, Settings};
+use crate::contact::solver::gauss_seidel::{GaussSeidel, RelativeTolerance, Scales, Settings};
 use crate::contact::solver::subdomains::partition::Partition;
 use crate::coupled::constrained_strand::Strands;
 use crate::error::Result;
@@ -125,7 +125,10 @@ impl Island {
             _ => (FIRST * size).min(FORCING * self.progress.law_residual),
         };
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
+        // At rest the forces of the last step are good from the beginning, and no other problem follows.
+        let is_first_of_springs = self.progress.iterations == 1 && options.model.has_linear_springs();
+        let relative = is_first_of_springs.then(|| RelativeTolerance { part: FORCING, least: self.asked(options) });
+        let settings = Settings { tolerance, relative, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
         self.progress.report = solver.solve_by(space, &settings, forces, workers, meter);
         self.progress.is_solved = self.progress.report.residual <= tolerance;
         self.sweeps += self.progress.report.sweeps;
