@@ -136,20 +136,21 @@ impl Surfaces for StrandSurfaces<'_> {
         if arclength < self.contact.exempt_length {
             return passed;
         }
-        let gap = |surface: &SurfaceAtPoint| surface.gap - surface.permitted;
-        let least = nearest.as_ref().map_or_else(|at_least| *at_least, |found| gap(&found.nearest));
+        // Bodies that were not found are no nearer than what was, nor than what need not be known.
+        let least =
+            nearest.as_ref().map_or_else(|at_least| *at_least, |found| (found.nearest.gap - found.nearest.permitted).min(KNOWN));
         for index in self.near {
             let body = &self.bodies[*index as usize];
             let ends = body.way(start.into(), now.into());
             let length = (ends[1] - ends[0]).norm();
-            if length < NEAR || least > body.shape.distance_slope() * length {
-                continue;
-            }
             let margin = self.margin(body);
             let known = nearest.as_ref().ok().and_then(|found| found.iter().find(|surface| surface.body == *index));
-            let end = known.map_or(WayEnd::NoNearer(least + margin), |surface| {
-                WayEnd::At(gap(surface) + margin, body.axes_end.tr_mul(&surface.normal.into()))
-            });
+            let distance = known.map_or(least + margin, SurfaceAtPoint::distance);
+            if length < NEAR || distance - margin > body.shape.distance_slope() * length {
+                continue;
+            }
+            let end = known
+                .map_or(WayEnd::NoNearer(distance), |surface| WayEnd::At(distance, body.axes_end.tr_mul(&surface.normal.into())));
             let Way { start, entrance } = way(body.shape, ends, margin, end);
             if passed.start.is_none() && known.is_some() {
                 passed.start = start.map(|distance| (*index, margin - distance - self.permitted(arclength)));

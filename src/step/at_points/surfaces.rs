@@ -39,6 +39,13 @@ pub struct SurfaceAtPoint {
     pub against: f64,
 }
 
+impl SurfaceAtPoint {
+    /// How far the strand's axis is from the body's surface, m; negative inside.
+    pub fn distance(&self) -> f64 {
+        self.gap - self.permitted + self.margin
+    }
+}
+
 /// Surfaces this near may touch a point that lay on them when the step began, m; and what has gone no further has gone through nothing.
 pub const NEAR: f64 = 1e-3;
 
@@ -83,7 +90,7 @@ pub struct Passed {
     /// The surface of a body through which it leads that began outside it; None where there is none, or where the surface that is nearest
     /// at the end faces the same way.
     pub entered: Option<Entered>,
-    /// The body nearest to its end, and the depth of the point in it when the step began, m, if that had to be known.
+    /// A body near its end, and the depth of the point in it when the step began, m, if that had to be known.
     pub start: Option<(u32, f64)>,
 }
 

@@ -34,7 +34,7 @@ pub(super) struct Side {
 impl Side {
     /// A surface that was found at a place, m, world.
     pub fn new(surface: &SurfaceAtPoint, place: Vec3<f64>) -> Self {
-        let distance = surface.gap - surface.permitted + surface.margin;
+        let distance = surface.distance();
         Self { surface: *surface, from: place - surface.normal.scale(distance), inside: distance < 0.0 }
     }
 
