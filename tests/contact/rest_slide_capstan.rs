@@ -122,7 +122,7 @@ fn over_cylinders(model: ContactModel, max_iterations: u32) -> (Vec<f64>, f64) {
 }
 
 /// Contact problems of springs are solved roughly, but each step goes on from the one before, so that at rest nothing is left of that: forces are
-/// the exact model's to a thousandth, whatever the number of iterations, and springs of 10 N/m that bear 8 to 16 µN are 2 to 3 µm deep.
+/// the exact model's to two thousandths, whatever the number of iterations, and springs of 10 N/m that bear 8 to 16 µN are 2 to 3 µm deep.
 #[test]
 fn at_rest_the_forces_of_springs_are_exact() {
     let (exact, _) = over_cylinders(ContactModel::Coulomb, 50);

@@ -154,7 +154,7 @@ impl GaussSeidel {
         let mut report = Report { work: SET_UP * sweep_work, ..Report::default() };
         let most = if system.blocks() == 1 { ONE_BLOCK } else { WHOLE };
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
-        let (mut tolerance, mut relative) = (settings.tolerance, settings.relative);
+        let mut tolerance = settings.tolerance;
         let mut last = f64::INFINITY;
         let (mut best, mut best_at) = (f64::INFINITY, 0);
         let (mut tried_whole, mut tries) = (false, 0_u32);
@@ -163,7 +163,9 @@ impl GaussSeidel {
         loop {
             settings.scales.set(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
-            if let Some(RelativeTolerance { part, least }) = relative.take() {
+            if report.sweeps == 0
+                && let Some(RelativeTolerance { part, least }) = settings.relative
+            {
                 tolerance = tolerance.min((part * report.residual).max(least));
             }
             let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.max_work;

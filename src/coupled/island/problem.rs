@@ -24,7 +24,8 @@ const GENTLE: f64 = 0.01;
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// The same of an island's first problem with springs: a thousandth of the largest force (root mean square), and less than what its
-/// linear model misses.
+/// linear model misses. At rest the last step's forces meet it from the beginning, and would never improve: no more than [`FORCING`] of what
+/// they begin with may be left, either.
 const FIRST_OF_SPRINGS: f64 = 3e-2;
 /// The tolerance with bilateral constraints, which hold to the last digit.
 const CONSTRAINED: f64 = 1e-8;
@@ -118,15 +119,14 @@ impl Island {
         // A large problem not more exactly than the iterate deserves: the next one solves again. (Bilateral constraints hold to
         // the last digit.)
         let size = self.progress.report.size;
+        let is_first_of_springs = self.progress.iterations == 1 && options.model.has_linear_springs();
         let deserved = match self.progress.iterations {
             _ if self.included.len() <= SMALL && longest <= GENTLE * self.shortest_element(strands) => 0.0,
-            1 if options.model.has_linear_springs() => FIRST_OF_SPRINGS,
+            _ if is_first_of_springs => FIRST_OF_SPRINGS,
             1 => FIRST * size,
             _ => (FIRST * size).min(FORCING * self.progress.law_residual),
         };
         let tolerance = if self.has_bilateral() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        // At rest the forces of the last step are good from the beginning, and no other problem follows.
-        let is_first_of_springs = self.progress.iterations == 1 && options.model.has_linear_springs();
         let relative = is_first_of_springs.then(|| RelativeTolerance { part: FORCING, least: self.asked(options) });
         let settings = Settings { tolerance, relative, max_sweeps: options.max_sweeps, scales, max_work: self.max_work };
         self.progress.report = solver.solve_by(space, &settings, forces, workers, meter);
