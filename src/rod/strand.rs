@@ -16,6 +16,7 @@ pub struct StrandModel {
     pub natural: Box<[[f64; 3]]>,
     section: Arc<Section>,
     equal_length: f64,
+    length: f64,
 }
 
 impl Deref for StrandModel {
@@ -50,7 +51,8 @@ impl StrandModel {
     pub fn of_section(lengths: Vec<f64>, natural: Vec<[f64; 3]>, section: Arc<Section>) -> Self {
         let equal = lengths.iter().all(|length| (length - lengths[0]).abs() <= 1e-14 * lengths[0]);
         let equal_length = if equal { lengths.first().copied().unwrap_or_default() } else { 0.0 };
-        Self { lengths: lengths.into(), natural: natural.into(), section, equal_length }
+        let length = lengths.iter().sum();
+        Self { lengths: lengths.into(), natural: natural.into(), section, equal_length, length }
     }
 
     /// The shared section.
@@ -70,8 +72,9 @@ impl StrandModel {
     }
 
     /// L, m.
+    #[inline(always)]
     pub fn length(&self) -> f64 {
-        self.lengths.iter().sum()
+        self.length
     }
 
     /// The element that holds the point at an arclength, and the arclength on it, m; beyond an end, that end.

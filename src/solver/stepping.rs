@@ -244,7 +244,8 @@ impl Solver {
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        self.workers.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+        let most = side_by_side::task_size(&self.strands);
+        self.workers.for_each_task(&mut self.strands, width, most, |strands, scratch| {
             let mut tally = Tally::default();
             for substep in 0..substeps {
                 let halted = meter.is_halted();
@@ -406,7 +407,8 @@ impl Solver {
             at_points::begin(scene.strands);
         }
         let found = Mutex::new(std::mem::take(&mut self.touched));
-        self.workers.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+        let most = side_by_side::task_size(scene.strands);
+        self.workers.for_each_task(scene.strands, width, most, |strands, scratch| {
             let mut tally = Tally::default();
             let WorkerScratch { step, trial, touched, .. } = scratch;
             let trials = are_near.then(|| Trials { bodies: &bodies, tolerance, scratch: trial });
@@ -417,6 +419,7 @@ impl Solver {
             let mut task = Task { tally: &mut tally, trials, at_points };
             side_by_side::take(strands, &setting, h, set, &mut task, step, meter);
             if !touched.is_empty() {
+                touched.end_task();
                 found.lock().unwrap_or_else(PoisonError::into_inner).take(touched);
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);

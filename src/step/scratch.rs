@@ -1,5 +1,6 @@
 //! The scratch memory of one worker: a workspace for each type of lanes, empty until first used.
 
+use super::pack::members::PackKey;
 use super::state::{RuleScratch, StrandState};
 use super::workspace::Workspace;
 use crate::chain::elimination::Elimination;
@@ -42,6 +43,8 @@ pub struct StepScratch {
     pub(crate) f64x8: Option<Box<Bench<lanes::F64x8>>>,
     #[cfg(target_arch = "x86_64")]
     pub(crate) f32x16: Option<Box<Bench<lanes::F32x16>>>,
+    /// The strands of a task in the order in which they are packed: pack key, last number of iterations, place in the task.
+    pub order: Vec<(PackKey, u32, u32)>,
     /// For changes of quadrature rule.
     pub rule: RuleScratch,
     /// The strand at the start of a step that is taken in substeps.

@@ -1,5 +1,7 @@
 //! Contact at points: strands that only bodies may touch step side by side with others, and their contacts are taken down.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::constrained_substep::{ConstrainedSubstep, ContactTally};
@@ -14,9 +16,6 @@ use crate::solver::report::Wrench;
 use crate::solver::strands::strand::{Constrained, Strand};
 use crate::step::at_points::surfaces::{DepthAtPoints, PointContact, PointContactOptions};
 
-/// A contact of a strand.
-pub(super) type Found = (StrandId, PointContact);
-
 /// What a task's strands may touch in a substep, and what they have touched.
 pub(super) struct AtPoints<'a> {
     pub bodies: &'a [BodyAt<'a>],
@@ -29,13 +28,28 @@ pub(super) struct AtPoints<'a> {
 /// Contacts at the end of a substep.
 #[derive(Debug, Default)]
 pub(in crate::solver) struct Touched {
-    pub contacts: Vec<Found>,
+    /// Those of a strand follow each other, from root to tip.
+    contacts: Vec<PointContact>,
+    /// The strands that have some; those of a task follow each other, in order once it has ended.
+    strands: Vec<TouchedStrand>,
+    /// The tasks that have ended, by where their strands are.
+    tasks: Vec<Range<usize>>,
     /// The deepest overlap, m; zero for none.
     pub depth: f64,
     /// Strands whose root is in a body.
     pub roots_inside: u32,
     /// Memory for the bodies near a pack's strands.
     near: Vec<u32>,
+}
+
+/// A strand that has contacts.
+#[derive(Debug, Clone)]
+struct TouchedStrand {
+    /// Its place among those of its task.
+    place: usize,
+    strand: StrandId,
+    /// Where its contacts are.
+    contacts: Range<usize>,
 }
 
 /// The bodies near a pack's strands, by lane.
@@ -54,9 +68,19 @@ impl Touched {
         self.contacts.is_empty() && self.depth == 0.0 && self.roots_inside == 0
     }
 
-    /// Takes over those of a task.
+    /// A task has ended: puts its strands in order.
+    pub fn end_task(&mut self) {
+        self.strands.sort_unstable_by_key(|strand| strand.place);
+    }
+
+    /// Takes over those of a task that has ended.
     pub fn take(&mut self, task: &mut Self) {
+        let (first, contacts) = (self.strands.len(), self.contacts.len());
         self.contacts.append(&mut task.contacts);
+        self.strands.extend(task.strands.drain(..).map(|TouchedStrand { place, strand, contacts: Range { start, end } }| {
+            TouchedStrand { place, strand, contacts: contacts + start..contacts + end }
+        }));
+        self.tasks.push(first..self.strands.len());
         self.depth = self.depth.max(std::mem::take(&mut task.depth));
         self.roots_inside += std::mem::take(&mut task.roots_inside);
     }
@@ -111,10 +135,15 @@ impl<'a> AtPoints<'a> {
         self.found.roots_inside += u32::from(depth.root > self.deepest_root);
     }
 
-    /// Takes down a contact.
-    pub fn take_contact(&mut self, strand: &mut Strand, contact: &PointContact) {
+    /// Takes down a contact of the strand at this place of the task, behind its others.
+    pub fn take_contact(&mut self, place: usize, strand: &mut Strand, contact: &PointContact) {
         strand.touched = true;
-        self.found.contacts.push((strand.id, *contact));
+        let Touched { contacts, strands, .. } = &mut *self.found;
+        contacts.push(*contact);
+        match strands.last_mut().filter(|last| last.place == place) {
+            Some(last) => last.contacts.end = contacts.len(),
+            None => strands.push(TouchedStrand { place, strand: strand.id, contacts: contacts.len() - 1..contacts.len() }),
+        }
     }
 }
 
@@ -147,26 +176,26 @@ impl Touched {
         tally.penetration = tally.penetration.max(std::mem::take(&mut self.depth));
         tally.contacts += self.contacts.len() as u32;
         tally.roots_inside += std::mem::take(&mut self.roots_inside);
-        let place = |(strand, contact): &Found| (slots.index(*strand), contact.arclength);
-        self.contacts.sort_by(|a, b| {
-            let ((a, along_a), (b, along_b)) = (place(a), place(b));
-            a.cmp(&b).then(along_a.total_cmp(&along_b))
-        });
-        for (strand, PointContact { arclength, position, surface, force, slip }) in self.contacts.drain(..) {
-            let (position, force) = (Vector3::from(position), Vector3::from(force));
-            let body = surface.body as usize;
-            wrenches[body].force -= force;
-            wrenches[body].torque -= (position - bodies[body].end.origin).cross(&force);
-            contacts.add_contact(Contact {
-                strand,
-                arclength,
-                partner: ContactPartner::Body { body: ids[body], feature: surface.feature },
-                position,
-                normal: surface.normal.into(),
-                force,
-                gap: surface.gap,
-                slip: slip.into(),
-            });
+        self.tasks.sort_unstable_by_key(|task| self.strands.get(task.start).and_then(|first| slots.index(first.strand)));
+        for TouchedStrand { strand, contacts: of_strand, .. } in self.tasks.drain(..).flat_map(|task| &self.strands[task]) {
+            for PointContact { arclength, position, surface, force, slip } in &self.contacts[of_strand.clone()] {
+                let (position, force) = (Vector3::from(*position), Vector3::from(*force));
+                let body = surface.body as usize;
+                wrenches[body].force -= force;
+                wrenches[body].torque -= (position - bodies[body].end.origin).cross(&force);
+                contacts.add_contact(Contact {
+                    strand: *strand,
+                    arclength: *arclength,
+                    partner: ContactPartner::Body { body: ids[body], feature: surface.feature },
+                    position,
+                    normal: surface.normal.into(),
+                    force,
+                    gap: surface.gap,
+                    slip: (*slip).into(),
+                });
+            }
         }
+        self.contacts.clear();
+        self.strands.clear();
     }
 }

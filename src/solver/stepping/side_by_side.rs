@@ -21,9 +21,17 @@ use crate::step::scratch::StepScratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, subdivision};
 
-/// The most strands of a task: enough to fill packs where pack keys are mixed, and few enough that their states stay in a core's
-/// cache between substeps.
-pub(super) const MAX_TASK: usize = 256;
+/// The most strands of a task, and of one of long strands: enough to fill packs where pack keys are mixed.
+const MAX_TASK: usize = 1024;
+const MAX_LONG_TASK: usize = 256;
+/// The elements of a task that is between the two: what stops a step is heeded between tasks, a few milliseconds of work.
+const TASK_ELEMENTS: usize = 5120;
+
+/// The most strands of a task of these.
+pub(super) fn task_size(strands: &[Strand]) -> usize {
+    let elements: usize = strands.iter().map(|strand| strand.model.element_count()).sum();
+    (TASK_ELEMENTS * strands.len() / elements.max(1)).clamp(MAX_LONG_TASK, MAX_TASK)
+}
 
 /// What the strands of a task may meet in a substep, and the count of their steps.
 pub(super) struct Task<'a> {
@@ -34,7 +42,7 @@ pub(super) struct Task<'a> {
     pub at_points: Option<AtPoints<'a>>,
 }
 
-/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; constrained strands are stepped elsewhere (`constrained_substep`). If
+/// Takes strands, at most [`task_size`], through a step of `h` seconds; constrained strands are stepped elsewhere (`constrained_substep`). If
 /// `meter` has already halted the substep, strands move with their roots.
 pub(super) fn take(
     strands: &mut [Strand],
@@ -91,13 +99,13 @@ fn take_present(
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
         for index in 0..strands.len() {
             if !strands[index].is_constrained() {
-                take_one(&mut strands[index], setting, h, task, scratch);
+                take_one(strands, index, setting, h, task, scratch);
             }
         }
         return;
     }
-    let mut order = [(PackKey::default(), 0_u32, 0_u32); MAX_TASK];
-    let mut count = 0;
+    let mut order = std::mem::take(&mut scratch.order);
+    order.clear();
     for index in 0..strands.len() {
         let strand = &strands[index];
         if strand.is_constrained() {
@@ -105,7 +113,7 @@ fn take_present(
         }
         let touches = strand.constrained == Constrained::AtPoints;
         if strand.state.subdivision.min(subdivision::levels(setting.options, touches)) > 0 {
-            take_one(&mut strands[index], setting, h, task, scratch);
+            take_one(strands, index, setting, h, task, scratch);
         } else {
             let kind = PackKey::of(
                 &strand.model,
@@ -114,11 +122,9 @@ fn take_present(
                 setting.options.integrator,
                 h,
             );
-            order[count] = (kind, strand.last.iterations, index as u32);
-            count += 1;
+            order.push((kind, strand.last.iterations, index as u32));
         }
     }
-    let order = &mut order[..count];
     order.sort_unstable();
     let mut next = 0;
     for kind in order.chunk_by(|a, b| a.0 == b.0) {
@@ -130,6 +136,7 @@ fn take_present(
             take_pack(strands, pack, setting, h, set, task, scratch);
         }
     }
+    scratch.order = order;
 }
 
 /// Prefetches a strand.
@@ -139,7 +146,11 @@ fn foresee(strand: &Strand) {
     prefetch(&**curvatures);
     prefetch(&**rates);
     prefetch(&**velocities);
+    prefetch(&*strand.model.lengths);
     prefetch(&*strand.model.natural);
+    if let Some(root_move) = strand.root_move.as_deref() {
+        prefetch(root_move);
+    }
     if history.step > 0.0 {
         prefetch(&*history.curvatures);
         prefetch(&*history.velocities);
@@ -156,7 +167,7 @@ fn take_pack(
     scratch: &mut StepScratch,
 ) {
     if let [(_, _, index)] = pack {
-        return take_one(&mut strands[*index as usize], setting, h, task, scratch);
+        return take_one(strands, *index as usize, setting, h, task, scratch);
     }
     let mut indices = [0; MAX_LANES];
     for (lane, (_, _, index)) in pack.iter().enumerate() {
@@ -188,10 +199,11 @@ fn take_pack(
     }
 }
 
-fn take_one(strand: &mut Strand, setting: &Setting, h: f64, task: &mut Task, scratch: &mut StepScratch) {
+fn take_one(strands: &mut [Strand], index: usize, setting: &Setting, h: f64, task: &mut Task, scratch: &mut StepScratch) {
+    let strand = &mut strands[index];
     match task.at_points.as_mut().filter(|_| strand.constrained == Constrained::AtPoints) {
         Some(at_points) => {
-            let outcome = take_one_at_points(strand, at_points, setting, h, scratch);
+            let outcome = take_one_at_points(strand, index, at_points, setting, h, scratch);
             end(strand, outcome, setting, h, task, scratch);
         }
         None => take_alone(strand, setting, h, task, scratch, |one, scratch| step::take(setting, one, h, scratch)),
@@ -228,6 +240,7 @@ fn end(strand: &mut Strand, outcome: StrandOutcome, setting: &Setting, h: f64, t
 
 fn take_one_at_points(
     strand: &mut Strand,
+    index: usize,
     at_points: &mut AtPoints,
     setting: &Setting,
     h: f64,
@@ -248,7 +261,7 @@ fn take_one_at_points(
     let mut one = One { model, state, root_at: &root_at, target: strand::drawn_by(target), touches };
     let outcome = step::take(setting, &mut one, h, scratch);
     at_points.give_back(near);
-    contacts.iter().for_each(|contact| at_points.take_contact(strand, contact));
+    contacts.iter().for_each(|contact| at_points.take_contact(index, strand, contact));
     at_points.take_depth(depth);
     outcome
 }
@@ -298,7 +311,8 @@ impl Pack for Picked<'_, '_> {
     }
     fn take_contact(&mut self, lane: usize, contact: &PointContact) {
         if let Some(at_points) = &mut self.at_points {
-            at_points.take_contact(&mut self.strands[self.indices[lane]], contact);
+            let index = self.indices[lane];
+            at_points.take_contact(index, &mut self.strands[index], contact);
         }
     }
     fn take_depth(&mut self, _lane: usize, depth: DepthAtPoints) {
