@@ -113,6 +113,32 @@ fn a_sliding_strand_slows_by_friction_alone() {
     assert!(off.abs() < 1e-3, "{off}");
 }
 
+/// More strands than a task takes, whose packs mix them: the list of contacts goes from strand to strand and from root to tip all the same, to the
+/// same bits on any number of threads.
+#[test]
+fn contacts_are_listed_from_strand_to_strand() {
+    let course = |workers: Workers| {
+        let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), workers, ..SolverOptions::default() };
+        options.contact.model = ContactModel::AtPoints;
+        let mut solver = Solver::new(options).unwrap();
+        let defs: Vec<StrandDef> = (0..2500).map(|k| lying(2 + k % 3)).collect();
+        let ids = solver.add_strands(&defs).unwrap();
+        let floor = solver.add_bodies(vec![floor()]).unwrap()[0];
+        solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+        (0..3).for_each(|_| _ = solver.step(STEP, 1).unwrap());
+        let place = |id| ids.iter().position(|other| *other == id).unwrap();
+        let list: Vec<_> = solver.contacts().iter().map(|c| (place(c.strand), c.arclength, c.position, c.force, c.gap)).collect();
+        (list, solver.body_wrench(floor).unwrap())
+    };
+    let (list, wrench) = course(Workers::Serial);
+    assert!(list.len() > 5000, "{}", list.len());
+    let follows = |pair: &[(usize, f64, _, _, _)]| (pair[0].0, pair[0].1) < (pair[1].0, pair[1].1);
+    assert!(list.windows(2).all(follows));
+    for threads in [2, 3] {
+        assert_eq!(course(Workers::Pool(threads)), (list.clone(), wrench), "{threads} threads");
+    }
+}
+
 /// Hair falls on a ball that turns, as every kind of shape, and slides over it: with a few iterations it is hardly in it, the report says how
 /// deep it is, and a snapshot goes on with the same bits, on two threads as on one.
 #[test]
