@@ -2,6 +2,7 @@
 //! hair left in a heap of itself would have thousands. The deepest are kept.
 
 use super::constrained_strand::ConstrainedStrand;
+use super::island::Island;
 use crate::contact::constraint::step_constraint::StepConstraint;
 
 /// The largest mean number of contacts per element of a strand.
@@ -12,9 +13,9 @@ const MIN_PER_ELEMENT: usize = 2;
 const ITERATIONS: u64 = 6;
 
 /// Removes the least deep contacts of strands that have too many, and marks these strands as having undetected contacts.
-/// `left`: the work that is left.
-pub fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [ConstrainedStrand], left: u64) {
-    strands.iter_mut().for_each(|constrained| constrained.constraint_count = 0);
+/// `constraints` belong to no island; those of `islands` do only if none are removed. `left`: the work that is left.
+pub fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [ConstrainedStrand], islands: &mut [Island], left: u64) {
+    strands.iter_mut().for_each(|constrained| constrained.constraint_count = constrained.attachments.len());
     for end in constraints.iter().flat_map(StepConstraint::ends) {
         strands[end.strand as usize].constraint_count += 1;
     }
@@ -32,6 +33,7 @@ pub fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [Constraine
     if strands.iter().all(|constrained| constrained.constraint_count <= room(constrained, most)) {
         return;
     }
+    islands.iter_mut().for_each(|island| island.dissolve(strands, constraints));
     // Bilateral constraints first.
     let mut order: Vec<u32> = (0..constraints.len() as u32).collect();
     let key = |index: &u32| (constraints[*index as usize].is_contact(), constraints[*index as usize].gap);

@@ -1,7 +1,7 @@
 //! The step of coupled strands: the strands that are constrained in it, their constraints, and their islands, since constraints
 //! couple strands, directly or through others.
 
-use super::constrained_strand::{Attachment, ConstrainedStrand, Rest};
+use super::constrained_strand::{ConstrainedStrand, Rest};
 use super::detection::{ContactDetection, ContactMemory};
 use super::island::Island;
 use super::island::problem::ProblemScratch;
@@ -61,6 +61,8 @@ pub struct CoupledStep {
     pub(super) count: usize,
     pub(super) packs: Packs,
     pub(super) islands: Vec<Island>,
+    /// Memory for the islands before they are formed again.
+    pub(super) former: Vec<Island>,
     pub(super) island_count: usize,
     /// Memory for lists of islands, and of packs.
     pub(super) at_work: Vec<&'static mut Island>,
@@ -73,7 +75,7 @@ pub struct CoupledStep {
     pub(super) detection: ContactDetection,
     /// Those that belong to no island yet.
     pub(super) constraints: Vec<StepConstraint>,
-    sets: DisjointSets,
+    pub(super) sets: DisjointSets,
     /// The largest number of searches for undetected contacts, if not the usual one.
     #[cfg(test)]
     pub max_searches: Option<u32>,
@@ -98,6 +100,8 @@ impl CoupledStep {
     pub fn begin(&mut self, count: usize) {
         self.count = count;
         self.strands.resize_with(self.strands.len().max(count), ConstrainedStrand::default);
+        self.strands[..count].iter_mut().for_each(|constrained| constrained.attachments.clear());
+        self.island_count = 0;
         self.packs.clear();
     }
 
@@ -169,64 +173,5 @@ impl CoupledStep {
             }
         }
         goes_on
-    }
-
-    /// Couples the constraints' strands into islands, to be solved `rough`ly first where that is of use.
-    pub fn tie(&mut self, rough: bool) {
-        self.sets.reset(self.count);
-        for constraint in &self.constraints {
-            if let Some(second) = constraint.second {
-                self.sets.join(constraint.first.strand, second.strand);
-            }
-        }
-        for constrained in &mut self.strands[..self.count] {
-            constrained.attachments.clear();
-            constrained.rest.forget_wakes();
-        }
-        self.island_count = 0;
-        for k in 0..self.count {
-            let lowest = self.sets.lowest(k as u32) as usize;
-            let island = if lowest == k {
-                self.island_count += 1;
-                self.islands.resize_with(self.islands.len().max(self.island_count), Island::default);
-                self.islands[self.island_count - 1].clear();
-                self.island_count - 1
-            } else {
-                self.strands[lowest].island as usize
-            };
-            self.strands[k].island = island as u32;
-            self.islands[island].strands.push(k as u32);
-        }
-        for island in &mut self.islands[..self.island_count] {
-            // Strands on which nothing new acts are coupled as before.
-            let ended = |constrained: &u32| self.strands[*constrained as usize].ended;
-            if island.strands.iter().all(|constrained| ended(constrained).is_some())
-                && let Some(ending) = island.strands.first().and_then(ended)
-            {
-                island.keep(ending);
-            }
-            if let [alone] = island.strands[..]
-                && let Some(progress) = self.strands[alone as usize].progress.take()
-            {
-                island.resume(progress);
-            }
-        }
-        for constraint in self.constraints.drain(..) {
-            let island = &mut self.islands[self.strands[constraint.first.strand as usize].island as usize];
-            let number = island.constraints.len() as u32;
-            island.constraints.push(constraint);
-            for (k, end) in constraint.ends().enumerate() {
-                let attachment = Attachment {
-                    constraint: number,
-                    second: k == 1,
-                    material_point: end.material_point,
-                    modelled: constraint.modelled[k],
-                };
-                self.strands[end.strand as usize].attachments.push(attachment);
-            }
-        }
-        if rough {
-            self.islands[..self.island_count].iter_mut().for_each(Island::begin_roughly);
-        }
     }
 }

@@ -156,11 +156,16 @@ impl Island {
     pub fn clear(&mut self) {
         self.strands.clear();
         self.constraints.clear();
+        self.begin();
+    }
+
+    /// Begins with the strands and the constraints that it has.
+    pub fn begin(&mut self) {
         (self.sweeps, self.phase, self.progress) = (0, Phase::default(), Progress::default());
         (self.left, self.turn, self.bilateral) = (Left::default(), Turn::WithOthers, Bilateral::None);
     }
 
-    /// How far it has come, if it goes on and has a single strand. (All islands are formed again when new contacts are found; one
+    /// How far it has come, if it goes on and has a single strand. (All islands begin again when new contacts are found; one
     /// without any goes on from there. Strands that wait for others begin again with these.)
     pub fn unfinished(&self) -> Option<Progress> {
         (!self.phase.has_ended() && self.strands.len() == 1).then(|| self.progress.clone())

@@ -7,6 +7,7 @@
 //! - `constrained_strand.rs`: A strand during a step in which contacts or bilateral constraints act on it.
 //! - `contact_limit.rs`: The largest number of contacts of a strand.
 //! - `coupled_step.rs`: The step of coupled strands: the strands that are constrained in it, their constraints, and their islands, since constraints couple strands.
+//! - `coupling.rs`: Couples strands into islands by their constraints, at first and whenever new ones are found.
 //! - `detection.rs`: Contact detection in a step: contacts of constrained strands with bodies and other strands, as constraints, and their warm start.
 //! - `formula.rs`: The integration formula of constrained strands.
 //! - `island.rs`: Islands: strands coupled by constraints, directly or through others.
@@ -19,6 +20,7 @@
 pub mod constrained_strand;
 pub(crate) mod contact_limit;
 pub(crate) mod coupled_step;
+mod coupling;
 pub(crate) mod detection;
 mod formula;
 pub mod island;

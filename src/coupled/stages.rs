@@ -100,7 +100,7 @@ impl CoupledStep {
         if !stepping.meter.is_halted() {
             self.detection.constraints(stepping, strands, &mut self.constraints);
         }
-        contact_limit::thin_out(&mut self.constraints, strands, stepping.meter.left());
+        contact_limit::thin_out(&mut self.constraints, strands, &mut [], stepping.meter.left());
         scene.add_bilateral(strands, &mut self.constraints);
         stepping.meter.spend(self.constraints.len() as u64 * WORK_A_CONSTRAINT);
         Some(Stage::Coupling)
@@ -169,7 +169,7 @@ impl CoupledStep {
         round.search += 1;
         if let Some(found) = more {
             tally.searches += u32::from(found > 0);
-            contact_limit::thin_out(&mut self.constraints, strands, stepping.meter.left());
+            contact_limit::thin_out(&mut self.constraints, strands, islands, stepping.meter.left());
             return Some(Stage::Coupling);
         }
         if self.is_done() && !(std::mem::take(&mut round.rough) && self.refine()) {

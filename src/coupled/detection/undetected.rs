@@ -87,7 +87,8 @@ impl ContactDetection {
     }
 
     /// Adds the undetected contacts of the last search to the islands' constraints, and `lets_go` of those whose strands have departed.
-    /// `None` if there are neither; else how many were added. All constraints are then in `constraints`, from which islands are formed again.
+    /// `None` if there are neither; else how many were added. The constraints of their strands' islands are then in `constraints`, from which islands are
+    /// formed again.
     pub fn add_undetected<S>(
         &mut self,
         stepping: &Stepping<S>,
@@ -104,30 +105,25 @@ impl ContactDetection {
             self.undetected = undetected;
             return None;
         }
-        for constrained in strands.iter_mut() {
-            let island = &islands[constrained.island as usize];
-            (constrained.ended, constrained.progress) = (island.ended(), island.unfinished());
-            if constrained.ended.is_some_and(|ending| ending.is_converged()) {
-                constrained.rest.settle();
-            }
-        }
         let gone = departed.iter().map(|(island, index)| &islands[*island].constraints[*index]);
-        for end in undetected.iter().chain(gone).flat_map(StepConstraint::ends) {
-            let strand = &mut strands[end.strand as usize];
-            (strand.ended, strand.progress) = (None, None);
-        }
-        // Attachments are made again; the models of resting strands are not.
-        for constrained in &*strands {
-            let constraints = &mut islands[constrained.island as usize].constraints;
-            for end in &constrained.attachments {
-                constraints[end.constraint as usize].modelled[usize::from(end.second)] = end.modelled;
+        let changed: Vec<u32> = undetected.iter().chain(gone).flat_map(StepConstraint::ends).map(|end| end.strand).collect();
+        let mut dissolved: Vec<usize> = changed.iter().map(|strand| strands[*strand as usize].island as usize).collect();
+        dissolved.sort_unstable();
+        dissolved.dedup();
+        let mut departed = departed.into_iter().peekable();
+        for k in dissolved {
+            let first = constraints.len();
+            islands[k].dissolve(strands, constraints);
+            if departed.peek().is_some_and(|(island, _)| *island == k) {
+                let all = constraints.split_off(first).into_iter().enumerate();
+                constraints.extend(
+                    all.filter(|(index, _)| departed.next_if_eq(&(k, *index)).is_none()).map(|(_, constraint)| constraint),
+                );
             }
         }
-        let mut departed = departed.into_iter().peekable();
-        for (k, island) in islands.iter_mut().enumerate() {
-            let all = island.constraints.drain(..).enumerate();
-            constraints
-                .extend(all.filter(|(index, _)| departed.next_if_eq(&(k, *index)).is_none()).map(|(_, constraint)| constraint));
+        for strand in changed {
+            let strand = &mut strands[strand as usize];
+            (strand.ended, strand.progress) = (None, None);
         }
         let (known_of, added) = (&mut self.known_of, undetected.len());
         known_of.reset(strands.len());
