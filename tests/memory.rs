@@ -12,7 +12,7 @@ use superhelix::{
 };
 
 /// Twice a number that fills tasks and packs of any width, also where there are two kinds.
-const STRANDS: usize = 512;
+const STRANDS: usize = 2048;
 
 fn strands(count: usize, elements: impl Fn(usize) -> usize) -> Vec<StrandDef> {
     (0..count)

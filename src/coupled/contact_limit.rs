@@ -13,7 +13,7 @@ const MIN_PER_ELEMENT: usize = 2;
 const ITERATIONS: u64 = 6;
 
 /// Removes the least deep contacts of strands that have too many, and marks these strands as having undetected contacts.
-/// `constraints` belong to no island; those of `islands` do only if none are removed. `left`: the work that is left.
+/// Islands that have constraints are dissolved before any is removed. `left`: the work that is left.
 pub fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [ConstrainedStrand], islands: &mut [Island], left: u64) {
     strands.iter_mut().for_each(|constrained| constrained.constraint_count = constrained.attachments.len());
     for end in constraints.iter().flat_map(StepConstraint::ends) {

@@ -6,8 +6,8 @@ use super::island::Island;
 use crate::contact::constraint::step_constraint::StepConstraint;
 
 impl CoupledStep {
-    /// Couples the constraints' strands into islands, to be solved `rough`ly first where that is of use. Those that have not been dissolved
-    /// stay; no constraint is one of their strands'.
+    /// Couples the constraints' strands into islands, to be solved `rough`ly first where that is of use. Islands that have not been dissolved
+    /// stay; none of the constraints acts on their strands.
     pub fn tie(&mut self, rough: bool) {
         self.sets.reset(self.count);
         for constraint in &self.constraints {
@@ -17,7 +17,7 @@ impl CoupledStep {
         }
         for island in &self.islands[..self.island_count] {
             island.strands.windows(2).for_each(|pair| self.sets.join(pair[0], pair[1]));
-            island.remind(&mut self.strands);
+            island.pass_on_progress(&mut self.strands);
         }
         self.number_islands();
         for constrained in &mut self.strands[..self.count] {
@@ -88,7 +88,7 @@ impl CoupledStep {
 
 impl Island {
     /// Lets its strands know how far its iteration has come.
-    fn remind(&self, strands: &mut [ConstrainedStrand]) {
+    fn pass_on_progress(&self, strands: &mut [ConstrainedStrand]) {
         let (ended, unfinished) = (self.ended(), self.unfinished());
         for constrained in &self.strands {
             let constrained = &mut strands[*constrained as usize];
@@ -101,7 +101,7 @@ impl Island {
 
     /// Gives up its strands, to be coupled again, and adds its constraints to `constraints`.
     pub fn dissolve(&mut self, strands: &mut [ConstrainedStrand], constraints: &mut Vec<StepConstraint>) {
-        self.remind(strands);
+        self.pass_on_progress(strands);
         for constrained in self.strands.drain(..) {
             // Attachments are made again; the models of resting strands are not.
             for end in strands[constrained as usize].attachments.drain(..) {

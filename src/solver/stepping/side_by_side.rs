@@ -24,13 +24,14 @@ use crate::step::{self, Setting, StrandOutcome, subdivision};
 /// The most strands of a task, and of one of long strands: enough to fill packs where pack keys are mixed.
 const MAX_TASK: usize = 1024;
 const MAX_LONG_TASK: usize = 256;
-/// The elements of a task that is between the two: what stops a step is heeded between tasks, a few milliseconds of work.
+/// The most elements of a task between the two. A step heeds its limits between tasks: these take some milliseconds.
 const TASK_ELEMENTS: usize = 5120;
 
 /// The most strands of a task of these.
 pub(super) fn task_size(strands: &[Strand]) -> usize {
     let elements: usize = strands.iter().map(|strand| strand.model.element_count()).sum();
-    (TASK_ELEMENTS * strands.len() / elements.max(1)).clamp(MAX_LONG_TASK, MAX_TASK)
+    let mean = elements.div_ceil(strands.len().max(1));
+    (TASK_ELEMENTS / mean.max(1)).clamp(MAX_LONG_TASK, MAX_TASK)
 }
 
 /// What the strands of a task may meet in a substep, and the count of their steps.
