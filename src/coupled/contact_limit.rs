@@ -59,3 +59,38 @@ pub fn thin_out(constraints: &mut Vec<StepConstraint>, strands: &mut [Constraine
         stays[index - 1]
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::chain::load::MaterialPoint;
+    use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind};
+    use crate::coupled::constrained_strand::Attachment;
+
+    /// A strand without elements has room for no contact: neither for a new one nor for that of its island.
+    #[test]
+    fn contacts_of_islands_are_among_those_that_are_too_many() {
+        let first = ConstraintEnd { strand: 0, material_point: MaterialPoint { element: 0, s: 0.0, lever: [0.0; 3] } };
+        let kind = ConstraintKind::Body {
+            body: 0,
+            feature: 0,
+            normal: Vector3::z(),
+            side: Vector3::z(),
+            point: Vector3::zeros(),
+            carried: Vector3::zeros(),
+            margin: 1e-4,
+            friction: [1.0; 2],
+        };
+        let contact = StepConstraint::new(first, None, kind, Vector3::zeros());
+        let mut strands = [ConstrainedStrand::default()];
+        let attachment = Attachment { constraint: 0, second: false, material_point: first.material_point, modelled: true };
+        strands[0].attachments.push(attachment);
+        let mut islands = [Island { strands: vec![0], constraints: vec![contact], ..Island::default() }];
+        let mut constraints = vec![contact];
+        thin_out(&mut constraints, &mut strands, &mut islands, u64::MAX);
+        assert!(constraints.is_empty() && islands[0].constraints.is_empty());
+        assert!(islands[0].strands.is_empty() && strands[0].attachments.is_empty() && strands[0].has_undetected);
+    }
+}
