@@ -217,16 +217,17 @@ impl Solver {
     /// The substeps of a scene without contacts or constraints: each task takes its own strands through all of them.
     fn step_free(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> Spent {
         let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
+        let task_size = side_by_side::task_size(self.strands.len(), clock.elements);
         let begins = Instant::now();
         if self.wind_field.is_none() {
-            self.take_free(h, clock.substeps, &meter, total);
+            self.take_free(h, clock.substeps, task_size, &meter, total);
         } else {
             // The field is looked up for all strands before any begins the next substep.
             for substep in 0..clock.substeps {
                 let halted = meter.is_halted();
                 let length = if halted { h * f64::from(clock.substeps - substep) } else { h };
                 self.look_up_wind(h * f64::from(substep), length);
-                self.take_free(length, 1, &meter, total);
+                self.take_free(length, 1, task_size, &meter, total);
                 if halted {
                     break;
                 }
@@ -239,13 +240,12 @@ impl Solver {
     }
 
     /// Takes all strands through this many substeps of `h` seconds, each task its own.
-    fn take_free(&mut self, h: f64, substeps: u32, meter: &Meter, total: &Mutex<Tally>) {
+    fn take_free(&mut self, h: f64, substeps: u32, task_size: usize, meter: &Meter, total: &Mutex<Tally>) {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        let most = side_by_side::task_size(&self.strands);
-        self.workers.for_each_task(&mut self.strands, width, most, |strands, scratch| {
+        self.workers.for_each_task(&mut self.strands, width, task_size, |strands, scratch| {
             let mut tally = Tally::default();
             for substep in 0..substeps {
                 let halted = meter.is_halted();
@@ -309,6 +309,7 @@ impl Solver {
     /// substep in which a body moves far among strands is divided.
     fn step_constrained(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> (ContactTally, Spent) {
         let (mut contact, mut spent) = (ContactTally::default(), Spent::default());
+        let task_size = side_by_side::task_size(self.strands.len(), clock.elements);
         for body in &mut self.bodies {
             body.wrench = Wrench::default();
         }
@@ -330,6 +331,7 @@ impl Solver {
                     self.prepare_motions(rest);
                     let phases = self.take_substep(
                         rest,
+                        task_size,
                         &meter,
                         &mut contact,
                         total,
@@ -341,7 +343,7 @@ impl Solver {
                 }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
                 let place = SubstepPosition { is_last, is_fast: parts > 1, from };
-                let phases = self.take_substep(h / all_parts, &meter, &mut contact, total, place);
+                let phases = self.take_substep(h / all_parts, task_size, &meter, &mut contact, total, place);
                 spent.phases.add(&phases);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
                 spent.add(&meter, left);
@@ -359,6 +361,7 @@ impl Solver {
     fn take_substep(
         &mut self,
         h: f64,
+        task_size: usize,
         meter: &Meter,
         contact: &mut ContactTally,
         total: &Mutex<Tally>,
@@ -407,8 +410,7 @@ impl Solver {
             at_points::begin(scene.strands);
         }
         let found = Mutex::new(std::mem::take(&mut self.touched));
-        let most = side_by_side::task_size(scene.strands);
-        self.workers.for_each_task(scene.strands, width, most, |strands, scratch| {
+        self.workers.for_each_task(scene.strands, width, task_size, |strands, scratch| {
             let mut tally = Tally::default();
             let WorkerScratch { step, trial, touched, .. } = scratch;
             let trials = are_near.then(|| Trials { bodies: &bodies, tolerance, scratch: trial });

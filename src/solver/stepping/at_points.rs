@@ -43,7 +43,7 @@ pub(in crate::solver) struct Touched {
 }
 
 /// A strand that has contacts.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 struct TouchedStrand {
     /// Its place among those of its task.
     place: usize,

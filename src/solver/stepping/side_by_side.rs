@@ -27,10 +27,9 @@ const MAX_LONG_TASK: usize = 256;
 /// The most elements of a task between the two. A step heeds its limits between tasks: these take some milliseconds.
 const TASK_ELEMENTS: usize = 5120;
 
-/// The most strands of a task of these.
-pub(super) fn task_size(strands: &[Strand]) -> usize {
-    let elements: usize = strands.iter().map(|strand| strand.model.element_count()).sum();
-    let mean = elements.div_ceil(strands.len().max(1));
+/// The most strands of a task, of so many strands with so many elements in all.
+pub(super) fn task_size(strands: usize, elements: usize) -> usize {
+    let mean = elements.div_ceil(strands.max(1));
     (TASK_ELEMENTS / mean.max(1)).clamp(MAX_LONG_TASK, MAX_TASK)
 }
 
