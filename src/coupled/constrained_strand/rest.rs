@@ -28,6 +28,12 @@ impl ConstrainedStrand {
         }
     }
 
+    /// Whether it is at equilibrium under the last forces, whatever others of its island do: it rests, or is within the strands' `tolerance` (rad)
+    /// of it.
+    pub fn is_at_equilibrium(&self, island: &Island, tolerance: f64) -> bool {
+        self.rest.is_resting() || !island.phase.is_rough() && self.residual <= tolerance
+    }
+
     /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have
     /// the forces `of_constraint` (on their first ends), by the linear model of its last iteration.
     pub fn resting_displacement(
@@ -51,5 +57,26 @@ impl ConstrainedStrand {
             }
         }
         sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coupled::constrained_strand::Rest;
+    use crate::coupled::island::Phase;
+
+    #[test]
+    fn a_strand_is_at_equilibrium_by_itself_if_it_is_within_the_tolerance_or_rests() {
+        let at = |rest: Rest, residual: f64, phase: Phase| {
+            let strand = ConstrainedStrand { rest, residual, ..ConstrainedStrand::default() };
+            strand.is_at_equilibrium(&Island { phase, ..Island::default() }, 1e-6)
+        };
+        for phase in [Phase::Full, Phase::Ended] {
+            assert!(at(Rest::Active, 9e-7, phase) && !at(Rest::Active, 2e-6, phase) && at(Rest::Resting, 2e-6, phase));
+            assert!(!at(Rest::Active, f64::NAN, phase) && !at(Rest::Active, f64::INFINITY, phase));
+        }
+        // Its forces are rough ones.
+        assert!(!at(Rest::Active, 9e-7, Phase::RoughEnded));
     }
 }

@@ -259,7 +259,8 @@ impl ConstrainedSubstep {
                     constrained.end = StrandEnd::WithRoot;
                     return;
                 }
-                let at_end = constrained.rest.is_resting() || island.progress.ending.outcome >= Outcome::AttemptConverged;
+                let at_end = constrained.is_at_equilibrium(island, setting.options.tolerance)
+                    || island.progress.ending.outcome >= Outcome::AttemptConverged;
                 let converged = !constrained.has_undetected
                     && (island.progress.ending.is_converged() || (at_end && island.holds(&constrained.attachments)));
                 let quarantined = constrained.step.outcome.quarantined || island.has_diverged(constrained);
