@@ -3,10 +3,12 @@
 //!
 //! Files:
 //!
+//! - `clearance.rs`: How far a strand's elements are from bodies at least, from search to search: what has not gone that far overlaps with none, and need not be searched.
 //! - `rest.rs`: Strands that rest while others of their island go on.
 //! - `state.rs`: States of a strand while its step is solved: what its pack has to do, by which formula, whether it rests, what it may touch, where it ends.
 //! - `strands.rs`: Constrained strands by their numbers, or one alone.
 
+mod clearance;
 mod rest;
 mod state;
 mod strands;
@@ -15,9 +17,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Matrix3, Vector3};
 
+use clearance::Clearance;
 pub use state::{FirstHalf, Formula, LookAhead, Meets, Rest, StrandEnd};
 pub use strands::{Solitary, Strands};
 
+use super::detection::SearchFor;
 use super::island::ending::Ending;
 use super::island::{Bilateral, Island, Progress};
 use crate::chain::load::MaterialPoint;
@@ -129,8 +133,7 @@ pub struct ConstrainedStrand {
     forces: Vec<Vec3<f64>>,
     bilateral: Vec<Option<WorldConstraint>>,
     bounds: PathBounds,
-    /// The elements that the present search passes over.
-    unmoved: Vec<bool>,
+    clearance: Clearance,
     /// Taken only by the owner of the strand; the lock makes shared references safe.
     scratch: Mutex<strand_body::BodySearchScratch>,
 }
@@ -158,8 +161,9 @@ impl ConstrainedStrand {
         !self.final_poses.is_empty()
     }
 
-    /// Puts the bodies where they are in the scene, at rest, and includes other strands: for the search for overlap that is left. (A body
-    /// that moved there from where it follows the strand would sweep through it, and the strand would count as deep by all of that way.)
+    /// Puts the bodies where they are in the scene, at rest, and includes other strands: for the search for overlap that is left
+    /// ([`SearchFor::OverlapsInPlace`]). (A body that moved there from where it follows the strand would sweep through it, and the strand would
+    /// count as deep by all of that way.)
     pub fn look_around(&mut self, bodies: &[BodyAt]) {
         if self.meets == Meets::Bodies {
             self.meets = Meets::All;
@@ -175,29 +179,35 @@ impl ConstrainedStrand {
         self.body_motions.get(index as usize).map_or(body, |motion| body.with_motion(*motion))
     }
 
-    /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate; elements that have moved by no
-    /// more than `unseen` (m) since the last search are passed over. Returns the cost, nanoseconds or so.
-    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64, unseen: f64) -> u64 {
+    /// Finds the contacts with bodies, for `what` they are wanted, that are nearer than `within` (m) at the present iterate; elements that have moved by no
+    /// more than `unseen` (m) since the last search are passed over, and those that cannot have come deeper into a body than `tolerance` (m).
+    /// Returns the cost, nanoseconds or so.
+    pub fn find_bodies(&mut self, bodies: &[BodyAt], what: SearchFor, within: f64, unseen: f64, tolerance: f64) -> u64 {
         if self.meets == Meets::Nothing {
             return 0;
         }
-        let path = path_of(self.index, &self.step, self.permitted_overlap.as_deref());
+        let mut path = path_of(self.index, &self.step, self.permitted_overlap.as_deref());
+        if what == SearchFor::OverlapsInPlace {
+            path.start = path.now;
+        }
         let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
         self.bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
-        let all = self.step.gone.is_infinite();
-        self.unmoved.clear();
-        self.unmoved.extend(self.step.gone_by_element.iter().map(|gone| !all && *gone <= unseen));
-        let unmoved = &self.unmoved;
+        let passed_over = if self.step.gone.is_infinite() {
+            self.clearance.pass_over_none(path.now.elements.len(), within)
+        } else {
+            self.clearance.pass_over(&self.step.gone_by_element, within, unseen, tolerance)
+        };
         let (mut work, mut other) = (0, None);
         for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
             if let Some(motion) = self.body_motions.get(index) {
                 body = other.insert(body.with_motion(*motion));
             }
-            let span = Span { exempt, unmoved };
+            let span = Span { exempt, passed_over };
             work += strand_body::contacts(&path, &self.bounds, span, radius, body, within, scratch, &mut self.found);
         }
-        if self.unmoved.first() != Some(&true) {
+        self.clearance.take_in(&self.found);
+        if !self.clearance.has_passed_over(0) {
             self.root_gap = f64::INFINITY;
         }
         let root_gap = &mut self.root_gap;

@@ -62,6 +62,8 @@ pub enum SearchFor {
     Start,
     /// Overlaps at the present iterate.
     Overlaps,
+    /// The same, with bodies at the places of strands alone: what they have come through on their way there does not count.
+    OverlapsInPlace,
     /// The deepest overlap: wisps are left out where one with a body is deeper than any two of them can be.
     Deepest,
 }
@@ -155,13 +157,19 @@ impl ContactDetection {
         if !stepping.bodies.is_empty() {
             stepping.workers.for_each(strands, |constrained, _| {
                 if constrained.has_gone(unseen) && !stepping.meter.is_halted() {
-                    stepping.meter.spend(constrained.find_bodies(stepping.bodies, NEAR, unseen));
+                    stepping.meter.spend(constrained.find_bodies(
+                        stepping.bodies,
+                        what,
+                        NEAR,
+                        unseen,
+                        stepping.options.tolerance,
+                    ));
                     permitted_overlaps::reduce_body_contacts(constrained, NEAR);
                 }
             });
         }
         let leaves_out_hair = what == SearchFor::Deepest && stepping.options.hair && are_deeper_in_bodies(strands);
-        if what != SearchFor::Overlaps {
+        if matches!(what, SearchFor::Start | SearchFor::Deepest) {
             self.left_out_hair = leaves_out_hair;
         }
         if stepping.options.hair && !leaves_out_hair && !stepping.meter.is_halted() {
@@ -338,9 +346,11 @@ impl ContactDetection {
             }
             let constraint = self.constraint(stepping, strands, constrained, contact);
             let depth = depth(&constraint, strands, stepping.options.tolerance);
+            // (A body that follows the strand is elsewhere.)
+            let is_there = !(step && constraint.second.is_none() && strands[constrained as usize].lags());
             for end in constraint.ends() {
                 let left = &mut islands[strands[end.strand as usize].island as usize].left;
-                left.deep = left.deep.max(depth);
+                left.deep = left.deep.max(if is_there { depth } else { 0.0 });
                 left.newly = left.newly.max(if constraint.deep || !step { 0.0 } else { depth });
             }
             if step && !strands[constrained as usize].lags() && constraint.is_behind(-depth) {

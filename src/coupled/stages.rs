@@ -247,7 +247,7 @@ impl CoupledStep {
             constrained.look_around(stepping.bodies);
             constrained.step.gone = if constrained.lags() { f64::INFINITY } else { 0.0 };
         }
-        self.detection.find(stepping, strands, SearchFor::Overlaps);
+        self.detection.find(stepping, strands, SearchFor::OverlapsInPlace);
         self.detection.report_depths(stepping, strands, islands, false);
     }
 }

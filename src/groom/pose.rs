@@ -162,7 +162,8 @@ impl<'a> Surroundings<'a> {
     }
 
     fn obstacles(&self, options: &PoseOptions) -> Option<search::Obstacles<'a>> {
-        let (bodies, distance, span) = (self.bodies, self.radius + options.clearance, Span { exempt: self.exempt, unmoved: &[] });
+        let (bodies, distance, span) =
+            (self.bodies, self.radius + options.clearance, Span { exempt: self.exempt, passed_over: &[] });
         (options.keep_out && !bodies.is_empty()).then_some(search::Obstacles { bodies, span, distance })
     }
 }

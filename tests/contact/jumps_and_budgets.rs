@@ -511,7 +511,8 @@ fn flown_through(shape: Shape, work: u64, hair: bool) -> (f64, u32) {
 /// have come through each other.
 #[test]
 fn strands_that_a_body_has_flown_through_are_no_deeper_than_it_is_thick() {
-    let cases = [5e-3, 1e-2, 3e-2].into_iter().flat_map(|radius| [1000, 10_000, 50_000].map(|work| (radius, work)));
+    let works = [1000, 10_000, 30_000, 40_000, 50_000, 52_000, 70_000, 80_000];
+    let cases = [5e-3, 1e-2, 3e-2].into_iter().flat_map(|radius| works.map(|work| (radius, work)));
     for (radius, work, hair) in cases.flat_map(|(radius, work)| [false, true].map(|hair| (radius, work, hair))) {
         let shapes = [Shape::new_sphere(radius), Shape::new_box(Vector3::repeat(radius))];
         for (deepest, left) in shapes.map(|shape| flown_through(shape.unwrap(), work, hair)) {

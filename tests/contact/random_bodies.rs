@@ -168,7 +168,7 @@ impl Moving {
         contacts(
             &path,
             &bounds,
-            Span { exempt, unmoved: &[] },
+            Span { exempt, passed_over: &[] },
             radius,
             body,
             within,

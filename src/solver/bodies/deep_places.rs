@@ -96,7 +96,7 @@ impl CurrentScene<'_> {
                 strand_body::contacts(
                     &path,
                     &bounds,
-                    Span { exempt, unmoved: &[] },
+                    Span { exempt, passed_over: &[] },
                     radius,
                     body,
                     NEAR,
