@@ -3,17 +3,19 @@
 //!
 //! Files:
 //!
+//! - `body_search.rs`: A strand's search for its contacts with bodies.
 //! - `clearance.rs`: How far a strand's elements are from bodies at least, from search to search: what has not gone that far overlaps with none, and need not be searched.
 //! - `rest.rs`: Strands that rest while others of their island go on.
 //! - `state.rs`: States of a strand while its step is solved: what its pack has to do, by which formula, whether it rests, what it may touch, where it ends.
 //! - `strands.rs`: Constrained strands by their numbers, or one alone.
 
+mod body_search;
 mod clearance;
 mod rest;
 mod state;
 mod strands;
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -21,7 +23,6 @@ use clearance::Clearance;
 pub use state::{FirstHalf, Formula, LookAhead, Meets, Rest, StrandEnd};
 pub use strands::{Solitary, Strands};
 
-use super::detection::SearchFor;
 use super::island::ending::Ending;
 use super::island::{Bilateral, Island, Progress};
 use crate::chain::load::MaterialPoint;
@@ -29,21 +30,13 @@ use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::step_constraint::EndState;
 use crate::contact::contact_point::{ContactPoint, StrandCurve, StrandPath};
 use crate::contact::narrow_phase::path_bounds::PathBounds;
-use crate::contact::narrow_phase::strand_body::{self, Span};
+use crate::contact::narrow_phase::strand_body;
 use crate::contact::options::StrandContact;
 use crate::contact::permitted_overlap::PermittedOverlap;
 use crate::contact::solver::contact_space::read_block;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::step::constrained::step::{ConstrainedStep, WorldConstraint};
-
-/// Contacts closer than this along a strand, m, with normals within this cosine, are one.
-const ONE_PLACE: f64 = 1e-6;
-const ONE_SIDE: f64 = 0.99;
-
-/// A contact nearer to the root than this many radii is the root's: so short a piece is as stiff as what holds it, and no force moves it. A strand
-/// that leaves a surface at 15 degrees overlaps with it as far.
-const AT_ROOT: f64 = 4.0;
 
 /// A strand's end is rejected if its Lagrangian has risen by more than this fraction of the energy of moving by its own length
 /// in the step.
@@ -161,9 +154,8 @@ impl ConstrainedStrand {
         !self.final_poses.is_empty()
     }
 
-    /// Puts the bodies where they are in the scene, at rest, and includes other strands: for the search for overlap that is left
-    /// ([`SearchFor::OverlapsInPlace`]). (A body that moved there from where it follows the strand would sweep through it, and the strand would
-    /// count as deep by all of that way.)
+    /// Puts the bodies where they are in the scene, at rest, and includes other strands: for the search for overlap that is left, in place. (A
+    /// body that moved there from where it follows the strand would sweep through it, and the strand would count as deep by all of that way.)
     pub fn look_around(&mut self, bodies: &[BodyAt]) {
         if self.meets == Meets::Bodies {
             self.meets = Meets::All;
@@ -177,53 +169,6 @@ impl ConstrainedStrand {
     pub fn met<'a>(&self, bodies: &[BodyAt<'a>], index: u32) -> BodyAt<'a> {
         let body = bodies[index as usize];
         self.body_motions.get(index as usize).map_or(body, |motion| body.with_motion(*motion))
-    }
-
-    /// Finds the contacts with bodies, for `what` they are wanted, that are nearer than `within` (m) at the present iterate; elements that have moved by no
-    /// more than `unseen` (m) since the last search are passed over, and those that cannot have come deeper into a body than `tolerance` (m).
-    /// Returns the cost, nanoseconds or so.
-    pub fn find_bodies(&mut self, bodies: &[BodyAt], what: SearchFor, within: f64, unseen: f64, tolerance: f64) -> u64 {
-        if self.meets == Meets::Nothing {
-            return 0;
-        }
-        let mut path = path_of(self.index, &self.step, self.permitted_overlap.as_deref());
-        if what == SearchFor::OverlapsInPlace {
-            path.start = path.now;
-        }
-        let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
-        self.bounds.update(&path);
-        let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
-        let passed_over = if self.step.gone.is_infinite() {
-            self.clearance.pass_over_none(path.now.elements.len(), within)
-        } else {
-            self.clearance.pass_over(&self.step.gone_by_element, within, unseen, tolerance)
-        };
-        let (mut work, mut other) = (0, None);
-        for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
-            if let Some(motion) = self.body_motions.get(index) {
-                body = other.insert(body.with_motion(*motion));
-            }
-            let span = Span { exempt, passed_over };
-            work += strand_body::contacts(&path, &self.bounds, span, radius, body, within, scratch, &mut self.found);
-        }
-        self.clearance.take_in(&self.found);
-        if !self.clearance.has_passed_over(0) {
-            self.root_gap = f64::INFINITY;
-        }
-        let root_gap = &mut self.root_gap;
-        self.found.retain(|contact| {
-            let at_root = contact.point.element == 0 && contact.point.s <= AT_ROOT * radius;
-            *root_gap = if at_root { root_gap.min(contact.gap) } else { *root_gap };
-            !at_root
-        });
-        // Where two elements meet both may report one contact.
-        let along = |contact: &ContactPoint| path.now.along(contact.point.element as usize, contact.point.s);
-        self.found.dedup_by(|next, last| {
-            next.partner == last.partner
-                && (along(next) - along(last)).abs() <= ONE_PLACE
-                && next.normal.dot(&last.normal) > ONE_SIDE
-        });
-        work
     }
 
     /// Whether some point of it has moved further than `least` (m) since it was last searched for contacts.
