@@ -4,13 +4,11 @@
 //! Files:
 //!
 //! - `body_search.rs`: A strand's search for its contacts with bodies.
-//! - `clearance.rs`: How far a strand's elements are from bodies at least, from search to search: what has not gone that far overlaps with none, and need not be searched.
 //! - `rest.rs`: Strands that rest while others of their island go on.
 //! - `state.rs`: States of a strand while its step is solved: what its pack has to do, by which formula, whether it rests, what it may touch, where it ends.
 //! - `strands.rs`: Constrained strands by their numbers, or one alone.
 
 mod body_search;
-mod clearance;
 mod rest;
 mod state;
 mod strands;
@@ -19,7 +17,6 @@ use std::sync::{Arc, Mutex};
 
 use nalgebra::{Matrix3, Vector3};
 
-use clearance::Clearance;
 pub use state::{FirstHalf, Formula, LookAhead, Meets, Rest, StrandEnd};
 pub use strands::{Solitary, Strands};
 
@@ -126,7 +123,8 @@ pub struct ConstrainedStrand {
     forces: Vec<Vec3<f64>>,
     bilateral: Vec<Option<WorldConstraint>>,
     bounds: PathBounds,
-    clearance: Clearance,
+    /// The elements that the present search passes over.
+    unmoved: Vec<bool>,
     /// Taken only by the owner of the strand; the lock makes shared references safe.
     scratch: Mutex<strand_body::BodySearchScratch>,
 }

@@ -62,7 +62,7 @@ pub enum SearchFor {
     Start,
     /// Overlaps at the present iterate.
     Overlaps,
-    /// The same, with bodies at the places of strands alone: what they have come through on their way there does not count.
+    /// The same, but with bodies only where the strands are now: what they have passed through on their way does not count.
     OverlapsInPlace,
     /// The deepest overlap: wisps are left out where one with a body is deeper than any two of them can be.
     Deepest,
@@ -157,13 +157,7 @@ impl ContactDetection {
         if !stepping.bodies.is_empty() {
             stepping.workers.for_each(strands, |constrained, _| {
                 if constrained.has_gone(unseen) && !stepping.meter.is_halted() {
-                    stepping.meter.spend(constrained.find_bodies(
-                        stepping.bodies,
-                        what,
-                        NEAR,
-                        unseen,
-                        stepping.options.tolerance,
-                    ));
+                    stepping.meter.spend(constrained.find_bodies(stepping.bodies, what, NEAR, unseen));
                     permitted_overlaps::reduce_body_contacts(constrained, NEAR);
                 }
             });
@@ -346,14 +340,15 @@ impl ContactDetection {
             }
             let constraint = self.constraint(stepping, strands, constrained, contact);
             let depth = depth(&constraint, strands, stepping.options.tolerance);
-            // (A body that follows the strand is elsewhere.)
-            let is_there = !(step && constraint.second.is_none() && strands[constrained as usize].lags());
+            let follows = step && strands[constrained as usize].lags();
+            // A body that follows the strand is elsewhere in the scene.
+            let is_elsewhere = follows && constraint.second.is_none();
             for end in constraint.ends() {
                 let left = &mut islands[strands[end.strand as usize].island as usize].left;
-                left.deep = left.deep.max(if is_there { depth } else { 0.0 });
+                left.deep = left.deep.max(if is_elsewhere { 0.0 } else { depth });
                 left.newly = left.newly.max(if constraint.deep || !step { 0.0 } else { depth });
             }
-            if step && !strands[constrained as usize].lags() && constraint.is_behind(-depth) {
+            if step && !follows && constraint.is_behind(-depth) {
                 behind.push(constrained);
             }
         }

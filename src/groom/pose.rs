@@ -162,8 +162,7 @@ impl<'a> Surroundings<'a> {
     }
 
     fn obstacles(&self, options: &PoseOptions) -> Option<search::Obstacles<'a>> {
-        let (bodies, distance, span) =
-            (self.bodies, self.radius + options.clearance, Span { exempt: self.exempt, passed_over: &[] });
+        let (bodies, distance, span) = (self.bodies, self.radius + options.clearance, Span { exempt: self.exempt, unmoved: &[] });
         (options.keep_out && !bodies.is_empty()).then_some(search::Obstacles { bodies, span, distance })
     }
 }

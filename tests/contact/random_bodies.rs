@@ -168,7 +168,7 @@ impl Moving {
         contacts(
             &path,
             &bounds,
-            Span { exempt, passed_over: &[] },
+            Span { exempt, unmoved: &[] },
             radius,
             body,
             within,

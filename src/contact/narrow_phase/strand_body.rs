@@ -49,7 +49,7 @@ pub struct Span<'a> {
     /// Arclength from the root, m, without contact: the part in and about the follicle.
     pub exempt: f64,
     /// Elements whose contacts are known, and which are passed over. None beyond the list.
-    pub passed_over: &'a [bool],
+    pub unmoved: &'a [bool],
 }
 
 /// Finds the contacts of a strand with a body at the present iterate, up to a gap of `within` (m), and appends them to `out`,
@@ -85,7 +85,7 @@ pub fn contacts(
         if low >= state.length {
             continue;
         }
-        if span.passed_over.get(element) == Some(&true) {
+        if span.unmoved.get(element) == Some(&true) {
             (search.inside, search.first) = (None, false);
             continue;
         }

@@ -34,7 +34,7 @@ pub use surface::Surface;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// The largest [`Shape::distance_slope`].
-pub(crate) const STEEPEST_DISTANCE: f64 = 1.25;
+pub(in crate::contact) const STEEPEST_DISTANCE: f64 = 1.25;
 
 /// The shape of a body, in the body's own axes. Made by the functions `new_…`, which check their arguments.
 ///

@@ -19,9 +19,8 @@ const AT_ROOT: f64 = 4.0;
 
 impl ConstrainedStrand {
     /// Finds the contacts with bodies that are nearer than `within` (m) at the present iterate, for `what` they are wanted. Passes over elements
-    /// that have moved by no more than `unseen` (m) since the last search, and those that cannot have come deeper into a body than `tolerance`
-    /// (m) since then. Returns the cost, nanoseconds or so.
-    pub fn find_bodies(&mut self, bodies: &[BodyAt], what: SearchFor, within: f64, unseen: f64, tolerance: f64) -> u64 {
+    /// that have moved by no more than `unseen` (m) since the last search. Returns the cost, nanoseconds or so.
+    pub fn find_bodies(&mut self, bodies: &[BodyAt], what: SearchFor, within: f64, unseen: f64) -> u64 {
         if self.meets == Meets::Nothing {
             return 0;
         }
@@ -32,21 +31,19 @@ impl ConstrainedStrand {
         let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
         self.bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
-        let passed_over = if self.step.gone.is_infinite() {
-            self.clearance.pass_over_none(path.now.elements.len(), within)
-        } else {
-            self.clearance.pass_over(&self.step.gone_by_element, within, unseen, tolerance)
-        };
+        let all = self.step.gone.is_infinite();
+        self.unmoved.clear();
+        self.unmoved.extend(self.step.gone_by_element.iter().map(|gone| !all && *gone <= unseen));
+        let unmoved = &self.unmoved;
         let (mut work, mut other) = (0, None);
         for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
             if let Some(motion) = self.body_motions.get(index) {
                 body = other.insert(body.with_motion(*motion));
             }
-            let span = Span { exempt, passed_over };
+            let span = Span { exempt, unmoved };
             work += strand_body::contacts(&path, &self.bounds, span, radius, body, within, scratch, &mut self.found);
         }
-        self.clearance.take_in(&self.found);
-        if !self.clearance.has_passed_over(0) {
+        if self.unmoved.first() != Some(&true) {
             self.root_gap = f64::INFINITY;
         }
         let root_gap = &mut self.root_gap;

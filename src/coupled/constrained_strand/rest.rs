@@ -29,9 +29,10 @@ impl ConstrainedStrand {
     }
 
     /// Whether it is at equilibrium under the last forces, whatever others of its island do: it rests, or is within the strands' `tolerance` (rad)
-    /// of it.
-    pub fn is_at_equilibrium(&self, island: &Island, tolerance: f64) -> bool {
-        self.rest.is_resting() || !island.phase.is_rough() && self.residual <= tolerance
+    /// of it, and the laws at its contacts are within the contacts' `residual`: rough forces do not count.
+    pub fn is_at_equilibrium(&self, island: &Island, tolerance: f64, residual: f64) -> bool {
+        let obeys = |end: &Attachment| island.constraints[end.constraint as usize].standing.law_residual <= residual;
+        self.rest.is_resting() || self.residual <= tolerance && self.attachments.iter().all(obeys)
     }
 
     /// Displacement of an attached point of a resting strand from where it is if the constraints marked in `is_included` have
@@ -63,20 +64,34 @@ impl ConstrainedStrand {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chain::load::MaterialPoint;
+    use crate::contact::constraint::step_constraint::{ConstraintEnd, ConstraintKind, StepConstraint};
     use crate::coupled::constrained_strand::Rest;
-    use crate::coupled::island::Phase;
+
+    const TOLERANCE: f64 = 1e-6;
+    const RESIDUAL: f64 = 1e-4;
+
+    /// A strand of this state that has a contact of this residual of the law.
+    fn is_at_equilibrium(rest: Rest, residual: f64, law_residual: f64) -> bool {
+        let material_point = MaterialPoint::on(0, 0.01);
+        let [first, second] = [0, 1].map(|strand| ConstraintEnd { strand, material_point });
+        let kind = ConstraintKind::Hair { normal: Vector3::x(), margin: 1e-3, compliance: 0.0 };
+        let mut contact = StepConstraint::new(first, Some(second), kind, Vector3::zeros());
+        contact.standing.law_residual = law_residual;
+        let island = Island { constraints: vec![contact], ..Island::default() };
+        let attachment = Attachment { constraint: 0, second: false, material_point, modelled: true };
+        let strand = ConstrainedStrand { rest, residual, attachments: vec![attachment], ..ConstrainedStrand::default() };
+        strand.is_at_equilibrium(&island, TOLERANCE, RESIDUAL)
+    }
 
     #[test]
-    fn a_strand_is_at_equilibrium_by_itself_if_it_is_within_the_tolerance_or_rests() {
-        let at = |rest: Rest, residual: f64, phase: Phase| {
-            let strand = ConstrainedStrand { rest, residual, ..ConstrainedStrand::default() };
-            strand.is_at_equilibrium(&Island { phase, ..Island::default() }, 1e-6)
-        };
-        for phase in [Phase::Full, Phase::Ended] {
-            assert!(at(Rest::Active, 9e-7, phase) && !at(Rest::Active, 2e-6, phase) && at(Rest::Resting, 2e-6, phase));
-            assert!(!at(Rest::Active, f64::NAN, phase) && !at(Rest::Active, f64::INFINITY, phase));
+    fn a_strand_is_at_equilibrium_by_itself_if_it_and_its_contacts_are_within_the_tolerances_or_it_rests() {
+        assert!(is_at_equilibrium(Rest::Active, 9e-7, 9e-5));
+        for residual in [2e-6, f64::NAN, f64::INFINITY] {
+            assert!(!is_at_equilibrium(Rest::Active, residual, 9e-5), "{residual}");
         }
+        assert!(is_at_equilibrium(Rest::Resting, 2e-6, 9e-5));
         // Its forces are rough ones.
-        assert!(!at(Rest::Active, 9e-7, Phase::RoughEnded));
+        assert!(!is_at_equilibrium(Rest::Active, 9e-7, 1e-3));
     }
 }

@@ -96,7 +96,7 @@ impl CurrentScene<'_> {
                 strand_body::contacts(
                     &path,
                     &bounds,
-                    Span { exempt, passed_over: &[] },
+                    Span { exempt, unmoved: &[] },
                     radius,
                     body,
                     NEAR,

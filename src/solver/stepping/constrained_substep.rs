@@ -259,7 +259,7 @@ impl ConstrainedSubstep {
                     constrained.end = StrandEnd::WithRoot;
                     return;
                 }
-                let at_end = constrained.is_at_equilibrium(island, setting.options.tolerance)
+                let at_end = constrained.is_at_equilibrium(island, setting.options.tolerance, scene.options.residual)
                     || island.progress.ending.outcome >= Outcome::AttemptConverged;
                 let converged = !constrained.has_undetected
                     && (island.progress.ending.is_converged() || (at_end && island.holds(&constrained.attachments)));
