@@ -6,9 +6,12 @@ use super::body_at::BodyAt;
 use super::ccd::entrance::{Way, WayEnd, way};
 use super::options::StrandContact;
 use super::permitted_overlap::PermittedOverlap;
+use super::point_reach;
 use super::shape::{STEEPEST_DISTANCE, Surface};
 use crate::math::vector::Vec3;
-use crate::step::at_points::surfaces::{Entered, NEAR, NearestSurfaces, Passed, STEEPEST, SurfaceAtPoint, Surfaces};
+use crate::step::at_points::surfaces::{
+    Entered, NEAR, NearestSurfaces, Passage, Passed, Reach, STEEPEST, SurfaceAtPoint, Surfaces,
+};
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
 const REACH: f64 = 5e-3;
@@ -123,16 +126,23 @@ impl Surfaces for StrandSurfaces<'_> {
         surface.map_or(0.0, |surface| margin - surface.distance - self.permitted(arclength))
     }
 
-    fn way(&self, start: Vec3<f64>, now: Vec3<f64>) -> f64 {
-        let ways = self.near.iter().map(|index| {
-            let [from, to] = self.bodies[*index as usize].way(start.into(), now.into());
-            (to - from).norm_squared()
-        });
-        ways.fold(0.0, f64::max).sqrt()
+    fn reach(&self, passages: &[Passage], reaches: &mut Vec<Reach>) {
+        reaches.clear();
+        // (How near a surface is to what takes no part says nothing of the rest.)
+        let takes_part = |passage: &Passage| passage.arclength >= self.contact.exempt_length;
+        reaches.extend(passages.iter().map(|passage| Reach {
+            least: if takes_part(passage) { FAR } else { 0.0 },
+            way: 0.0,
+            is_free: true,
+        }));
+        for index in self.near {
+            let body = &self.bodies[*index as usize];
+            point_reach::reach(body, self.margin(body), passages, reaches);
+        }
     }
 
-    fn passed(&self, arclength: f64, [start, now]: [Vec3<f64>; 2], nearest: &Result<NearestSurfaces, f64>) -> Passed {
-        let mut passed = Passed::default();
+    fn passed(&self, passage: &Passage, nearest: &Result<NearestSurfaces, f64>) -> Passed {
+        let (Passage { arclength, start, now }, mut passed) = (*passage, Passed::default());
         if arclength < self.contact.exempt_length {
             return passed;
         }
@@ -163,5 +173,74 @@ impl Surfaces for StrandSurfaces<'_> {
             }
         }
         passed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::UnitQuaternion;
+
+    use super::*;
+    use crate::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
+    use crate::math::frame::Frame;
+    use crate::math::random::Seeded;
+
+    /// The corners of a box of 20 × 30 × 40 mm, and its triangles.
+    fn box_mesh() -> (Vec<Vector3<f64>>, Vec<[u32; 3]>) {
+        let side = |bit: u32, corner: u32| if corner >> bit & 1 == 0 { -1.0 } else { 1.0 };
+        let corners = (0..8).map(|corner| Vector3::new(0.01 * side(0, corner), 0.015 * side(1, corner), 0.02 * side(2, corner)));
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        (corners.collect(), faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect())
+    }
+
+    fn random_place(seeded: Seeded, k: u64, half: f64) -> Vector3<f64> {
+        Vector3::from_fn(|axis, _| half * (2.0 * seeded.unit(3 * k + axis as u64) - 1.0))
+    }
+
+    #[test]
+    fn what_is_found_out_at_little_cost_is_true() {
+        let (corners, triangles) = box_mesh();
+        let grid = DistanceGrid::bake(&Mesh::new(corners.clone(), triangles.clone(), Sides::Solid).unwrap(), 2e-3, 0.02).unwrap();
+        let shapes = [
+            Shape::new_sphere(0.02).unwrap(),
+            Shape::new_capsule(Vector3::zeros(), Vector3::new(0.0, 0.03, 0.0), 0.01).unwrap(),
+            Shape::new_box(Vector3::new(0.01, 0.02, 0.03)).unwrap(),
+            Shape::new_half_space(Vector3::y()).unwrap(),
+            Shape::new_mesh(corners, triangles, Sides::Solid).unwrap(),
+            Shape::new_grid(grid),
+        ];
+        let turned =
+            Frame { origin: Vector3::new(0.01, -0.004, 0.02), rotation: UnitQuaternion::from_euler_angles(0.5, -0.3, 1.1) };
+        let start = Frame { origin: Vector3::zeros(), rotation: UnitQuaternion::from_euler_angles(0.4, -0.3, 1.0) };
+        let contact = StrandContact { exempt_length: 5e-3, ..StrandContact::default() };
+        let (seeded, mut reaches) = (Seeded::new(7, 0), Vec::new());
+        for (shape, far) in shapes.iter().zip([1e-9, 1e-9, 1e-9, 1e-9, 0.02, 6e-3]) {
+            let bodies = [BodyAt::new(0, shape, start, turned, 1e-3)];
+            let surfaces = StrandSurfaces { bodies: &bodies, near: &[0], contact: &contact, permitted_overlap: None };
+            let passages: Vec<Passage> = (0..500)
+                .map(|k| Passage {
+                    arclength: 1e-3 * k as f64,
+                    start: random_place(seeded, 2 * k, 0.06).into(),
+                    now: random_place(seeded, 2 * k + 1, 0.06).into(),
+                })
+                .collect();
+            surfaces.reach(&passages, &mut reaches);
+            assert_eq!(reaches.len(), passages.len());
+            let mut loosest = 0.0_f64;
+            for (passage, reach) in passages.iter().zip(&reaches) {
+                let own = start.rotation.inverse() * (Vector3::from(passage.start) - start.origin);
+                let start_now = turned.origin + turned.rotation * own;
+                assert!((reach.way - (Vector3::from(passage.now) - start_now).norm()).abs() < 1e-12, "{shape:?}");
+                if passage.arclength < contact.exempt_length {
+                    assert!(reach.least <= 0.0);
+                    continue;
+                }
+                let Some(surface) = bodies[0].closest_at_end(passage.now.into(), 1.0) else { continue };
+                let gap = (surface.distance - surfaces.margin(&bodies[0])).min(FAR);
+                assert!(reach.least <= gap + 1e-12, "{shape:?}: {} where it is {gap}", reach.least);
+                loosest = loosest.max(if gap > 0.0 && reach.least > f64::NEG_INFINITY { gap - reach.least } else { 0.0 });
+            }
+            assert!(loosest < far, "{shape:?}: {loosest} less than it is");
+        }
     }
 }

@@ -215,6 +215,19 @@ impl Shape {
         }
     }
 
+    /// A distance (m) that the surface surely has from a point, found out at little cost; below zero where it may be anywhere.
+    #[inline]
+    pub(in crate::contact) fn at_least(&self, point: Vector3<f64>) -> f64 {
+        match &self.0 {
+            Kind::Hull(mesh) | Kind::Mesh(mesh) => match mesh.bounds().distance(&point) {
+                0.0 => f64::NEG_INFINITY,
+                outside => outside,
+            },
+            Kind::Grid(grid) => grid.at_least(&point, self.distance_slope()),
+            _ => self.closest_smooth(point).distance,
+        }
+    }
+
     /// The most that a distance changes over a unit of distance. Between a grid's nodes it is interpolated by cubics, which are steeper here and
     /// there than what they go through.
     pub fn distance_slope(&self) -> f64 {

@@ -138,10 +138,19 @@ impl Touching<'_> {
         let mut points = std::mem::take(&mut it.contacts.points);
         points.clear();
         points.extend((0..it.point_base.len()).map(|p| Point::new(places.now(it, p, lane))));
-        let PointContacts { known, near, starts, .. } = &mut it.contacts;
+        let PointContacts { known, near, starts, candidates, halfway, .. } = &mut it.contacts;
         let own = lane * points.len()..(lane + 1) * points.len();
-        let length = self.members.model(lane).length();
-        work(&mut Line { points: &mut points, starts: &starts[own.clone()], known: &mut known[own], near, length });
+        let model = self.members.model(lane);
+        halfway.prepare(self.rule, &model.lengths);
+        work(&mut Line {
+            points: &mut points,
+            starts: &starts[own.clone()],
+            known: &mut known[own],
+            near,
+            candidates,
+            halfway,
+            length: model.length(),
+        });
         it.contacts.points = points;
         places
     }

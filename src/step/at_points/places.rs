@@ -1,7 +1,7 @@
 //! What is known of the places of a strand at which the surfaces of bodies are asked for (`probes.rs`): its points, places halfway between
 //! them, and its tip.
 
-use super::surfaces::{Entered, NEAR, NearestSurfaces, Passed, STEEPEST, SURFACES_AT_POINT, Surfaces};
+use super::surfaces::{Entered, NEAR, NearestSurfaces, Passage, Passed, Reach, STEEPEST, SURFACES_AT_POINT, Surfaces};
 use super::touches::{OtherSides, Side, Sides, Touch, Touches, known_in};
 use crate::math::vector::Vec3;
 
@@ -28,6 +28,11 @@ impl Place {
         self.gap - STEEPEST * distance(now, self.at)
     }
 
+    /// It is `now` no nearer than `least` (m).
+    pub fn is_far(&mut self, now: Vec3<f64>, least: f64) {
+        (self.at, self.gap) = (now, least);
+    }
+
     /// Its gap now, if that may be below `limit` (m); else infinity.
     pub fn gap_below(&self, limit: f64, surfaces: &dyn Surfaces, arclength: f64, now: Vec3<f64>) -> f64 {
         if self.least(now) > limit {
@@ -44,24 +49,25 @@ impl Place {
     fn entered(
         &mut self,
         near: &mut NearPlaces,
-        look: &Look<impl Fn() -> Vec3<f64>>,
+        look: &Look,
         nearest: &Result<NearestSurfaces, f64>,
     ) -> (Option<Side>, Option<(u32, f64)>) {
         if near.has_entered
             && let Some(side) = self.near.and_then(|at| near.places[at as usize].entered)
         {
-            return (Some(side.at(look.now)), None);
+            return (Some(side.at(look.passage.now)), None);
         }
-        if !look.asks.leads_far() || self.gap > STEEPEST * look.asks.way {
+        let Reach { way, is_free, .. } = look.reach;
+        if is_free || way < NEAR || self.gap > STEEPEST * way {
             return (None, None);
         }
-        let Passed { entered, start } = look.asks.surfaces.passed(look.arclength, [(look.start)(), look.now], nearest);
+        let Passed { entered, start } = look.asks.surfaces.passed(&look.passage, nearest);
         let side = entered.map(|Entered { surface, place }| Side::new(&surface, place));
         if side.is_some() {
             known_in(&mut near.places, &mut self.near, NearPlace::NEW).entered = side;
             near.has_entered = true;
         }
-        (side.map(|side| side.at(look.now)), start)
+        (side.map(|side| side.at(look.passage.now)), start)
     }
 
     /// Whether it has come into a body in this step.
@@ -72,10 +78,10 @@ impl Place {
 
     /// Asks which surfaces are nearest to it. Calls `take` with those that are near, as touches; returns the smallest gap, overlaps that are
     /// permitted counted.
-    pub fn ask(&mut self, near: &mut NearPlaces, look: &Look<impl Fn() -> Vec3<f64>>, mut take: impl FnMut(Touch)) -> f64 {
-        let Look { asks, now, .. } = *look;
+    pub fn ask(&mut self, near: &mut NearPlaces, look: &Look, mut take: impl FnMut(Touch)) -> f64 {
+        let Look { asks, passage: Passage { arclength, now, .. }, .. } = *look;
         self.at = now;
-        let found = asks.surfaces.nearest(look.arclength, now);
+        let found = asks.surfaces.nearest(arclength, now);
         self.gap = found.as_ref().map_or_else(|at_least| *at_least, |found| found.nearest.gap);
         let (entered, start) = self.entered(near, look, &found);
         if let Some(side) = entered {
@@ -117,8 +123,8 @@ impl NearPlace {
     const NEW: Self = Self { start_depth: [None; SURFACES_AT_POINT], sides: Sides::NONE, entered: None };
 
     /// How deep it was in a body when the step began, m; zero for outside.
-    fn depth_at_start(&mut self, look: &Look<impl Fn() -> Vec3<f64>>, body: u32) -> f64 {
-        self.start_depth_or(body, || look.asks.surfaces.depth_at_start(look.arclength, body, (look.start)()))
+    fn depth_at_start(&mut self, look: &Look, body: u32) -> f64 {
+        self.start_depth_or(body, || look.asks.surfaces.depth_at_start(look.passage.arclength, body, look.passage.start))
     }
 
     /// The same; if it is not known yet, `depth` tells it, or that it is zero or less.
@@ -190,14 +196,17 @@ pub(super) struct Asks<'a> {
     pub is_first: bool,
     /// Surfaces that overlap when the step begins come apart by this in it, m.
     pub separation: f64,
-    /// The longest way of a point past a body since the step began, m.
-    pub way: f64,
 }
 
 impl Asks<'_> {
-    /// Whether a way since the step began may lead through something.
-    pub fn leads_far(&self) -> bool {
-        self.way >= NEAR
+    /// Whether a place has no surface near it and, if nothing has been asked in this step, has come through none.
+    pub fn is_away(&self, reach: &Reach) -> bool {
+        if self.is_first { reach.least > NEAR && (reach.way < NEAR || reach.is_free) } else { reach.least > 0.0 }
+    }
+
+    /// The same of a place whose gap is at least this, and its way at most that, m.
+    pub fn is_surely_away(&self, least: f64, way: f64) -> bool {
+        least > if self.is_first { NEAR.max(STEEPEST * way) } else { 0.0 }
     }
 
     /// A surface near a place, in which it was so deep when the step began.
@@ -209,15 +218,13 @@ impl Asks<'_> {
 }
 
 /// A look at a place of a strand.
-pub(super) struct Look<'a, S> {
+pub(super) struct Look<'a> {
     /// How surfaces are asked for.
     pub asks: &'a Asks<'a>,
-    /// Arclength from the root, m.
-    pub arclength: f64,
-    /// Where it is now, m, world.
-    pub now: Vec3<f64>,
-    /// Where it was when the step began: few places need it.
-    pub start: S,
+    /// The place on its way.
+    pub passage: Passage,
+    /// What is known of it.
+    pub reach: Reach,
 }
 
 /// How far the nearest surface is from a point, or how far it is at least, m.
@@ -226,6 +233,6 @@ fn gap(surfaces: &dyn Surfaces, arclength: f64, now: Vec3<f64>) -> f64 {
 }
 
 /// How far two places are from each other, m.
-pub(super) fn distance(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+fn distance(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     (a - b).norm_squared().sqrt()
 }

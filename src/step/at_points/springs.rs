@@ -1,8 +1,9 @@
 //! The springs that contact gives to the quadrature points (`contacts.rs`), in lanes: each point has one along the normal of a surface and
 //! one along the surface. Where several surfaces hold a point of any lane, all points have room for the springs of as many.
 
+use super::halfway::HalfwayPlaces;
 use super::places::{Known, Near};
-use super::probes::{Point, Start};
+use super::probes::{Candidates, Point, Start};
 use super::surfaces::DepthAtPoints;
 use crate::chain::system::{ChainSystem, springs_of};
 use crate::math::lane::{Lane, MAX_LANES};
@@ -28,8 +29,10 @@ pub struct PointContacts<T> {
     pub(super) known: Vec<Known>,
     pub(super) near: Near,
     pub(super) starts: Vec<Start>,
-    /// Memory for the points of a lane.
+    /// Memory for the points of a lane, and what is asked of them.
     pub(super) points: Vec<Point>,
+    pub(super) candidates: Candidates,
+    pub(super) halfway: HalfwayPlaces,
     /// The overlaps at the end, by lane.
     pub depth: [DepthAtPoints; MAX_LANES],
 }
@@ -47,6 +50,8 @@ impl<T> Default for PointContacts<T> {
             near: Near::default(),
             starts: Vec::new(),
             points: Vec::new(),
+            candidates: Candidates::default(),
+            halfway: HalfwayPlaces::default(),
             depth: [DepthAtPoints::NONE; MAX_LANES],
         }
     }

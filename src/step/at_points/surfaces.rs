@@ -71,6 +71,28 @@ impl NearestSurfaces {
     }
 }
 
+/// A place of a strand, and its straight way in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Passage {
+    /// Arclength from the root, m.
+    pub arclength: f64,
+    /// Where it was when the step began, m, world.
+    pub start: Vec3<f64>,
+    /// Where it is now, m, world.
+    pub now: Vec3<f64>,
+}
+
+/// What is found out at little cost about a place on its way.
+#[derive(Debug, Clone, Copy)]
+pub struct Reach {
+    /// No gap of it is smaller than this now, overlaps that are permitted counted, m.
+    pub least: f64,
+    /// The longest way past one of the bodies, in that body's axes, m.
+    pub way: f64,
+    /// Whether no surface was on that way: it need not have been near one at the end, either.
+    pub is_free: bool,
+}
+
 /// The surfaces that a strand's points may touch, at the end of a step.
 pub trait Surfaces {
     /// The nearest surfaces at a point `arclength` from the root whose place is `now`, or, where none is near, a distance that
@@ -78,10 +100,10 @@ pub trait Surfaces {
     fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<NearestSurfaces, f64>;
     /// How deep the point, at `start` then, was in the body when the step began, m; zero or less for outside.
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
-    /// The longest way of a point past one of the bodies, in that body's axes, m.
-    fn way(&self, start: Vec3<f64>, now: Vec3<f64>) -> f64;
-    /// What the straight way of a point leads through, at whose end `nearest` was found.
-    fn passed(&self, arclength: f64, way: [Vec3<f64>; 2], nearest: &Result<NearestSurfaces, f64>) -> Passed;
+    /// Puts what is found out at little cost about places of the strand in `reaches`.
+    fn reach(&self, passages: &[Passage], reaches: &mut Vec<Reach>);
+    /// What a place's straight way leads through, at whose end `nearest` was found.
+    fn passed(&self, passage: &Passage, nearest: &Result<NearestSurfaces, f64>) -> Passed;
 }
 
 /// What the straight way of a point leads through.

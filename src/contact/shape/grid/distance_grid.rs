@@ -173,6 +173,12 @@ impl DistanceGrid {
         if surface.distance < within { Ok(surface) } else { Err(surface.distance) }
     }
 
+    /// A distance that the surface surely has from a point, m: from the nearest node alone. `slope` bounds the field's.
+    #[inline]
+    pub(in crate::contact::shape) fn at_least(&self, point: &Vector3<f64>, slope: f64) -> f64 {
+        self.by_node(&self.place(point), slope).unwrap_or_else(|| self.clearance(point))
+    }
+
     /// The interpolated distance, m; `within` where the nearest node tells that it is no less; outside the grid what is surely there. `slope` bounds the
     /// field's.
     pub(in crate::contact::shape) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
