@@ -118,7 +118,7 @@ struct Columns<'a, P, T, const D: usize, const MASK: u32> {
 
 #[inline(always)]
 fn vector<P: Lane, T: Lane>(v: &Vec3<P>, lane: usize) -> Vec3<T> {
-    Vec3([T::splat(v.0[0].lane(lane)), T::splat(v.0[1].lane(lane)), T::splat(v.0[2].lane(lane))])
+    Vec3::splat(v.lane(lane))
 }
 
 #[inline(always)]

@@ -5,12 +5,12 @@ use nalgebra::Vector3;
 use super::body_at::BodyAt;
 use super::ccd::entrance::{Way, WayEnd, way};
 use super::options::StrandContact;
+use super::passage_bounds;
 use super::permitted_overlap::PermittedOverlap;
-use super::point_reach;
 use super::shape::{STEEPEST_DISTANCE, Surface};
 use crate::math::vector::Vec3;
 use crate::step::at_points::surfaces::{
-    Entered, NEAR, NearestSurfaces, Passage, Passed, Reach, STEEPEST, SurfaceAtPoint, Surfaces,
+    Entered, NEAR, NearestSurfaces, Passage, PassageBounds, Passed, STEEPEST, SurfaceAtPoint, Surfaces,
 };
 
 /// How far from a point a mesh is searched beyond the distance that the surfaces keep, m: farther triangles cost more to find.
@@ -126,18 +126,18 @@ impl Surfaces for StrandSurfaces<'_> {
         surface.map_or(0.0, |surface| margin - surface.distance - self.permitted(arclength))
     }
 
-    fn reach(&self, passages: &[Passage], reaches: &mut Vec<Reach>) {
-        reaches.clear();
+    fn bound(&self, passages: &[Passage], bounds: &mut Vec<PassageBounds>) {
+        bounds.clear();
         // (How near a surface is to what takes no part says nothing of the rest.)
         let takes_part = |passage: &Passage| passage.arclength >= self.contact.exempt_length;
-        reaches.extend(passages.iter().map(|passage| Reach {
+        bounds.extend(passages.iter().map(|passage| PassageBounds {
             least: if takes_part(passage) { FAR } else { 0.0 },
             way: 0.0,
             is_free: true,
         }));
         for index in self.near {
             let body = &self.bodies[*index as usize];
-            point_reach::reach(body, self.margin(body), passages, reaches);
+            passage_bounds::add(body, self.margin(body), passages, bounds);
         }
     }
 
@@ -213,7 +213,7 @@ mod tests {
             Frame { origin: Vector3::new(0.01, -0.004, 0.02), rotation: UnitQuaternion::from_euler_angles(0.5, -0.3, 1.1) };
         let start = Frame { origin: Vector3::zeros(), rotation: UnitQuaternion::from_euler_angles(0.4, -0.3, 1.0) };
         let contact = StrandContact { exempt_length: 5e-3, ..StrandContact::default() };
-        let (seeded, mut reaches) = (Seeded::new(7, 0), Vec::new());
+        let (seeded, mut bounds) = (Seeded::new(7, 0), Vec::new());
         for (shape, far) in shapes.iter().zip([1e-9, 1e-9, 1e-9, 1e-9, 0.02, 6e-3]) {
             let bodies = [BodyAt::new(0, shape, start, turned, 1e-3)];
             let surfaces = StrandSurfaces { bodies: &bodies, near: &[0], contact: &contact, permitted_overlap: None };
@@ -224,23 +224,33 @@ mod tests {
                     now: random_place(seeded, 2 * k + 1, 0.06).into(),
                 })
                 .collect();
-            surfaces.reach(&passages, &mut reaches);
-            assert_eq!(reaches.len(), passages.len());
-            let mut loosest = 0.0_f64;
-            for (passage, reach) in passages.iter().zip(&reaches) {
+            surfaces.bound(&passages, &mut bounds);
+            assert_eq!(bounds.len(), passages.len());
+            let (mut loosest, mut free) = (0.0_f64, 0);
+            for (passage, bounds) in passages.iter().zip(&bounds) {
                 let own = start.rotation.inverse() * (Vector3::from(passage.start) - start.origin);
                 let start_now = turned.origin + turned.rotation * own;
-                assert!((reach.way - (Vector3::from(passage.now) - start_now).norm()).abs() < 1e-12, "{shape:?}");
+                assert!((bounds.way - (Vector3::from(passage.now) - start_now).norm()).abs() < 1e-12, "{shape:?}");
                 if passage.arclength < contact.exempt_length {
-                    assert!(reach.least <= 0.0);
+                    assert!(bounds.least <= 0.0);
                     continue;
+                }
+                if bounds.is_free {
+                    free += 1;
+                    let now = turned.rotation.inverse() * (Vector3::from(passage.now) - turned.origin);
+                    for step in 0..=50 {
+                        let place = own.lerp(&now, f64::from(step) / 50.0);
+                        let distance = shape.closest(place, 1.0).map_or(f64::INFINITY, |surface| surface.distance);
+                        assert!(distance > surfaces.margin(&bodies[0]) - 1e-12, "{shape:?}: {distance} at {step} of 50");
+                    }
                 }
                 let Some(surface) = bodies[0].closest_at_end(passage.now.into(), 1.0) else { continue };
                 let gap = (surface.distance - surfaces.margin(&bodies[0])).min(FAR);
-                assert!(reach.least <= gap + 1e-12, "{shape:?}: {} where it is {gap}", reach.least);
-                loosest = loosest.max(if gap > 0.0 && reach.least > f64::NEG_INFINITY { gap - reach.least } else { 0.0 });
+                assert!(bounds.least <= gap + 1e-12, "{shape:?}: {} where it is {gap}", bounds.least);
+                loosest = loosest.max(if gap > 0.0 && bounds.least > f64::NEG_INFINITY { gap - bounds.least } else { 0.0 });
             }
             assert!(loosest < far, "{shape:?}: {loosest} less than it is");
+            assert!((20..480).contains(&free), "{shape:?}: {free} of 500 are free");
         }
     }
 }

@@ -55,6 +55,16 @@ impl<T: Lane> Vec3<T> {
     pub fn zero() -> Self {
         Self([T::zero(); 3])
     }
+    /// The same vector in all lanes.
+    #[inline(always)]
+    pub fn splat(vector: Vec3<f64>) -> Self {
+        Self([T::splat(vector.0[0]), T::splat(vector.0[1]), T::splat(vector.0[2])])
+    }
+    /// One lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> Vec3<f64> {
+        Vec3([self.0[0].lane(lane), self.0[1].lane(lane), self.0[2].lane(lane)])
+    }
     /// Scalar product.
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {

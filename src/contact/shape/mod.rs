@@ -32,6 +32,8 @@ pub(in crate::contact) use separation::Separator;
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};
+use crate::math::lane::Lane;
+use crate::math::vector::Vec3;
 
 /// The largest [`Shape::distance_slope`].
 pub(in crate::contact) const STEEPEST_DISTANCE: f64 = 1.25;
@@ -215,15 +217,22 @@ impl Shape {
         }
     }
 
-    /// A distance (m) that the surface surely has from a point, found out at little cost; below zero where it may be anywhere.
-    #[inline]
-    pub(in crate::contact) fn at_least(&self, point: Vector3<f64>) -> f64 {
+    /// Distances (m) that the surface surely has from places, found out at little cost; below zero where it may be anywhere.
+    #[inline(always)]
+    pub(in crate::contact) fn at_least<T: Lane>(&self, places: &Vec3<T>) -> T {
+        match &self.0 {
+            Kind::Grid(grid) => grid.at_least(places, self.distance_slope()),
+            _ => T::from_lanes(|lane| self.at_least_of_one(places.lane(lane).into())),
+        }
+    }
+
+    /// The same for a shape that is no grid.
+    fn at_least_of_one(&self, point: Vector3<f64>) -> f64 {
         match &self.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => match mesh.bounds().distance(&point) {
                 0.0 => f64::NEG_INFINITY,
                 outside => outside,
             },
-            Kind::Grid(grid) => grid.at_least(&point, self.distance_slope()),
             _ => self.closest_smooth(point).distance,
         }
     }

@@ -1,7 +1,7 @@
 //! What is known of the places of a strand at which the surfaces of bodies are asked for (`probes.rs`): its points, places halfway between
 //! them, and its tip.
 
-use super::surfaces::{Entered, NEAR, NearestSurfaces, Passage, Passed, Reach, STEEPEST, SURFACES_AT_POINT, Surfaces};
+use super::surfaces::{Entered, NEAR, NearestSurfaces, Passage, PassageBounds, Passed, STEEPEST, SURFACES_AT_POINT, Surfaces};
 use super::touches::{OtherSides, Side, Sides, Touch, Touches, known_in};
 use crate::math::vector::Vec3;
 
@@ -28,8 +28,8 @@ impl Place {
         self.gap - STEEPEST * distance(now, self.at)
     }
 
-    /// It is `now` no nearer than `least` (m).
-    pub fn is_far(&mut self, now: Vec3<f64>, least: f64) {
+    /// Takes in that its gap is no smaller than `least` (m) where it is `now`.
+    pub fn take_least(&mut self, now: Vec3<f64>, least: f64) {
         (self.at, self.gap) = (now, least);
     }
 
@@ -57,7 +57,7 @@ impl Place {
         {
             return (Some(side.at(look.passage.now)), None);
         }
-        let Reach { way, is_free, .. } = look.reach;
+        let PassageBounds { way, is_free, .. } = look.bounds;
         if is_free || way < NEAR || self.gap > STEEPEST * way {
             return (None, None);
         }
@@ -200,8 +200,8 @@ pub(super) struct Asks<'a> {
 
 impl Asks<'_> {
     /// Whether a place has no surface near it and, if nothing has been asked in this step, has come through none.
-    pub fn is_away(&self, reach: &Reach) -> bool {
-        if self.is_first { reach.least > NEAR && (reach.way < NEAR || reach.is_free) } else { reach.least > 0.0 }
+    pub fn is_away(&self, bounds: &PassageBounds) -> bool {
+        if self.is_first { bounds.least > NEAR && (bounds.way < NEAR || bounds.is_free) } else { bounds.least > 0.0 }
     }
 
     /// The same of a place whose gap is at least this, and its way at most that, m.
@@ -224,7 +224,7 @@ pub(super) struct Look<'a> {
     /// The place on its way.
     pub passage: Passage,
     /// What is known of it.
-    pub reach: Reach,
+    pub bounds: PassageBounds,
 }
 
 /// How far the nearest surface is from a point, or how far it is at least, m.

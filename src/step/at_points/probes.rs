@@ -5,7 +5,7 @@
 
 use super::halfway::HalfwayPlaces;
 use super::places::{Asks, Known, Look, Near};
-use super::surfaces::{Passage, Reach, STEEPEST, SURFACES_AT_POINT, Surfaces};
+use super::surfaces::{Passage, PassageBounds, STEEPEST, SURFACES_AT_POINT, Surfaces};
 use crate::math::vector::Vec3;
 
 /// The least cosine of the angle between a strand and the normal of a surface that it meets end on.
@@ -46,7 +46,7 @@ pub(super) struct Candidates {
     /// Of which point each is, and whether a surface presses there.
     places: Vec<(usize, bool)>,
     passages: Vec<Passage>,
-    reaches: Vec<Reach>,
+    bounds: Vec<PassageBounds>,
 }
 
 impl Candidates {
@@ -61,10 +61,10 @@ impl Candidates {
     }
 
     /// Finds out about them.
-    fn reach(&mut self, surfaces: &dyn Surfaces) -> impl Iterator<Item = (usize, bool, Passage, Reach)> {
-        surfaces.reach(&self.passages, &mut self.reaches);
-        let places = self.places.iter().zip(&self.passages).zip(&self.reaches);
-        places.map(|((&(p, pressed), passage), reach)| (p, pressed, *passage, *reach))
+    fn bound(&mut self, surfaces: &dyn Surfaces) -> impl Iterator<Item = (usize, bool, Passage, PassageBounds)> {
+        surfaces.bound(&self.passages, &mut self.bounds);
+        let places = self.places.iter().zip(&self.passages).zip(&self.bounds);
+        places.map(|((&(p, pressed), passage), bounds)| (p, pressed, *passage, *bounds))
     }
 }
 
@@ -108,15 +108,15 @@ impl Line<'_> {
                 candidates.push(p, point.pressed, Passage { arclength: start.arclength, start: start.at, now: point.now });
             }
         }
-        for (p, pressed, passage, reach @ Reach { least, way, .. }) in candidates.reach(asks.surfaces) {
+        for (p, pressed, passage, bounds @ PassageBounds { least, way, .. }) in candidates.bound(asks.surfaces) {
             let (point, Known { own, touches: at, .. }) = (&mut points[p], &mut known[p]);
             point.way = way;
-            if !pressed && asks.is_away(&reach) {
-                own.is_far(passage.now, least);
+            if !pressed && asks.is_away(&bounds) {
+                own.take_least(passage.now, least);
                 point.least = least;
                 continue;
             }
-            point.least = own.ask(places, &Look { asks, passage, reach }, |touch| touches.take(at, touch, asks.is_first));
+            point.least = own.ask(places, &Look { asks, passage, bounds }, |touch| touches.take(at, touch, asks.is_first));
         }
     }
 
@@ -141,14 +141,14 @@ impl Line<'_> {
             }
         }
         let Self { points, known, near: Near { places, touches }, candidates, .. } = self;
-        for (p, pressed, passage, reach @ Reach { least, .. }) in candidates.reach(asks.surfaces) {
-            if !pressed && asks.is_away(&reach) {
-                known[p].beside.is_far(passage.now, least);
+        for (p, pressed, passage, bounds @ PassageBounds { least, .. }) in candidates.bound(asks.surfaces) {
+            if !pressed && asks.is_away(&bounds) {
+                known[p].beside.take_least(passage.now, least);
                 continue;
             }
             let mut place = known[p].beside;
             let along = points[p..].get(1).map_or(Vec3::zero(), |next| next.now - points[p].now);
-            place.ask(places, &Look { asks, passage, reach }, |touch| {
+            place.ask(places, &Look { asks, passage, bounds }, |touch| {
                 // A surface that faces along the strand is that of something thin which the strand goes through: no force along the strand
                 // brings it out.
                 if touch.side.surface.normal.dot(along).abs() > END_ON * along.norm_squared().sqrt() {

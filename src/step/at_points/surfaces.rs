@@ -82,14 +82,14 @@ pub struct Passage {
     pub now: Vec3<f64>,
 }
 
-/// What is found out at little cost about a place on its way.
+/// What is found out at little cost about a passage.
 #[derive(Debug, Clone, Copy)]
-pub struct Reach {
+pub struct PassageBounds {
     /// No gap of it is smaller than this now, overlaps that are permitted counted, m.
     pub least: f64,
     /// The longest way past one of the bodies, in that body's axes, m.
     pub way: f64,
-    /// Whether no surface was on that way: it need not have been near one at the end, either.
+    /// Whether it is certain that the way leads through no surface.
     pub is_free: bool,
 }
 
@@ -100,8 +100,8 @@ pub trait Surfaces {
     fn nearest(&self, arclength: f64, now: Vec3<f64>) -> Result<NearestSurfaces, f64>;
     /// How deep the point, at `start` then, was in the body when the step began, m; zero or less for outside.
     fn depth_at_start(&self, arclength: f64, body: u32, start: Vec3<f64>) -> f64;
-    /// Puts what is found out at little cost about places of the strand in `reaches`.
-    fn reach(&self, passages: &[Passage], reaches: &mut Vec<Reach>);
+    /// Puts what is found out at little cost about passages of the strand in `bounds`, one for each.
+    fn bound(&self, passages: &[Passage], bounds: &mut Vec<PassageBounds>);
     /// What a place's straight way leads through, at whose end `nearest` was found.
     fn passed(&self, passage: &Passage, nearest: &Result<NearestSurfaces, f64>) -> Passed;
 }

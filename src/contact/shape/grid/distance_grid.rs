@@ -11,6 +11,7 @@ use crate::contact::shape::{Bounds, Mesh, Sides, Surface};
 use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::lane::Lane;
 use crate::math::lanes::{KernelOfFour, call_of_four};
+use crate::math::vector::Vec3;
 
 /// Most nodes of a grid: 2²⁷, half a gigabyte.
 pub const NODE_LIMIT: u64 = 1 << 27;
@@ -165,7 +166,7 @@ impl DistanceGrid {
         slope: f64,
     ) -> std::result::Result<Surface, f64> {
         let outside = || self.clearance(&point);
-        let least = self.by_node(&self.place(&point), slope).ok_or_else(outside)?;
+        let least = self.by_node(&point, slope).ok_or_else(outside)?;
         if least >= within {
             return Err(least);
         }
@@ -173,16 +174,22 @@ impl DistanceGrid {
         if surface.distance < within { Ok(surface) } else { Err(surface.distance) }
     }
 
-    /// A distance that the surface surely has from a point, m: from the nearest node alone. `slope` bounds the field's.
-    #[inline]
-    pub(in crate::contact::shape) fn at_least(&self, point: &Vector3<f64>, slope: f64) -> f64 {
-        self.by_node(&self.place(point), slope).unwrap_or_else(|| self.clearance(point))
+    /// Distances that the surface surely has from places, m: from the nearest nodes alone. `slope` bounds the field's.
+    #[inline(always)]
+    pub(in crate::contact::shape) fn at_least<T: Lane>(&self, places: &Vec3<T>, slope: f64) -> T {
+        let (mut least, outside) = self.by_nodes(places, slope);
+        if outside != 0 {
+            for lane in (0..T::LANES).filter(|lane| outside >> lane & 1 == 1) {
+                least.set_lane(lane, self.clearance(&places.lane(lane).into()));
+            }
+        }
+        least
     }
 
     /// The interpolated distance, m; `within` where the nearest node tells that it is no less; outside the grid what is surely there. `slope` bounds the
     /// field's.
     pub(in crate::contact::shape) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
-        if self.by_node(&self.place(&point), slope).is_some_and(|at_least| at_least >= within) {
+        if self.by_node(&point, slope).is_some_and(|at_least| at_least >= within) {
             return within;
         }
         self.closest(point).map_or_else(|| self.clearance(&point), |surface| surface.distance)
@@ -199,17 +206,28 @@ impl DistanceGrid {
         Tricubic { values: &self.values, counts: self.counts }
     }
 
-    /// A distance that the surface surely has from a place in cells, m, by the nearest node alone; None outside the grid. `slope` bounds the
-    /// field's.
+    /// A distance that the surface surely has from a point, m, by the nearest node alone; None outside the grid. `slope` bounds the field's.
     #[inline(always)]
-    fn by_node(&self, place: &Vector3<f64>, slope: f64) -> Option<f64> {
-        let is_inside = (0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= f64::from(self.counts[axis] - 1));
-        is_inside.then(|| {
-            let [i, j, k] = [0, 1, 2].map(|axis| (place[axis] + 0.5) as usize);
-            let nearest = Vector3::new(i as f64, j as f64, k as f64);
-            let node = self.values[(k * self.counts[1] as usize + j) * self.counts[0] as usize + i];
-            f64::from(node) - slope * self.cell * (place - nearest).norm()
-        })
+    fn by_node(&self, point: &Vector3<f64>, slope: f64) -> Option<f64> {
+        let (least, outside) = self.by_nodes::<f64>(&(*point).into(), slope);
+        (outside == 0).then_some(least)
+    }
+
+    /// The same for places in lanes, with a bit for each that is outside the grid.
+    #[inline(always)]
+    fn by_nodes<T: Lane>(&self, places: &Vec3<T>, slope: f64) -> (T, u32) {
+        let [x, y, z] = (*places - Vec3::splat(self.low.into())).0;
+        let (cell, count) = (T::splat(self.cell), |axis: usize| T::splat(f64::from(self.counts[axis])));
+        let cells = Vec3([x / cell, y / cell, z / cell]);
+        let mut outside = 0;
+        for (axis, along) in cells.0.iter().enumerate() {
+            outside |= T::bits(along.less(T::zero())) | T::bits((count(axis) - T::one()).less(*along));
+        }
+        let [i, j, k] = [cells.0[0].round(), cells.0[1].round(), cells.0[2].round()];
+        let index = i + count(0) * (j + count(1) * k);
+        // (Of places outside, and of what is no number, any node.)
+        let nodes = T::from_lanes(|lane| self.values.get(index.lane(lane) as usize).map_or(f64::NAN, |node| f64::from(*node)));
+        (nodes - (cells - Vec3([i, j, k])).norm_squared().sqrt() * T::splat(slope * self.cell), outside)
     }
 
     /// An upper bound on the norm of the field's Hessian within `reach` metres of a point, 1/m: the gradient changes no faster. None where that leaves the
