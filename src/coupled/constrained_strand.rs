@@ -140,9 +140,9 @@ impl ConstrainedStrand {
         self.places.clear();
     }
 
-    /// Something presses it: its step begins again, unless it is one of implicit Euler already.
+    /// Something presses it: its step begins again, unless it is one of implicit Euler already, or stays as it is.
     pub fn mark_pressed(&mut self) {
-        if !self.formula.is_first_order() {
+        if !self.formula.is_first_order() && self.rest != Rest::Held {
             self.formula = Formula::ToBeginAgain;
         }
     }
@@ -172,6 +172,11 @@ impl ConstrainedStrand {
     /// Whether some point of it has moved further than `least` (m) since it was last searched for contacts.
     pub fn has_gone(&self, least: f64) -> bool {
         self.step.gone > least
+    }
+
+    /// Has the next search for contacts look at all of it, wherever it has moved.
+    pub fn search_all_of_it(&mut self) {
+        self.step.gone = f64::INFINITY;
     }
 
     /// Arclength of a material point from the root, m.

@@ -22,7 +22,7 @@ pub(crate) use warm_start::{WarmStartForce, With};
 use super::constrained_strand::{ConstrainedStrand, Meets};
 use super::coupled_step::{Scratch, Stepping};
 use super::island::Island;
-use super::nearest_pair::depth;
+use super::nearest_pair::{deepest_possible, depth};
 use crate::chain::load::MaterialPoint;
 use crate::contact::broad_phase::hair_pairs::{HairPairs, HeldRoots, PairOptions, Tie};
 use crate::contact::broad_phase::pieces::Wisp;
@@ -64,8 +64,19 @@ pub enum SearchFor {
     Overlaps,
     /// The same, but with bodies only where the strands are now: what they have passed through on their way does not count.
     OverlapsInPlace,
-    /// The deepest overlap: wisps are left out where one with a body is deeper than any two of them can be.
-    Deepest,
+    /// Overlaps at the present iterate with bodies alone. What was found of strands that have not moved since is kept.
+    OverlapsWithBodies,
+}
+
+/// What contacts between strands are looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum HairSearch {
+    /// All that may close in the substep, at its start.
+    AtStart,
+    /// Overlaps of strands that have moved since their last search.
+    OfMoved,
+    /// Overlaps of all strands, deeper than this, m.
+    DeeperThan(f64),
 }
 
 /// The pairs of strands of a task, from this one on, and their contacts.
@@ -85,8 +96,6 @@ pub(crate) struct ContactDetection {
     of: Vec<u32>,
     ready: bool,
     hair: Vec<ContactPoint>,
-    /// Whether the substep's search for the deepest overlap has left out wisps.
-    left_out_hair: bool,
     tasks: Vec<PairTask>,
     /// Which strands are tied together, by their indices in the solver; and which of the wisps.
     tied: Vec<Tie>,
@@ -140,9 +149,25 @@ impl ContactDetection {
         self.seconds += begins.elapsed().as_secs_f64();
     }
 
-    /// Whether the search for the deepest overlap, if there was one in this substep, has left out wisps.
-    pub fn has_left_out_hair(&self) -> bool {
-        self.left_out_hair
+    /// Adds overlaps of hair with hair to those with bodies that were found last, but none of less than some depth that is there anyway: for
+    /// the greatest depth of all.
+    pub fn find_deeper_hair<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &[ConstrainedStrand], islands: &[Island]) {
+        if !stepping.options.hair || stepping.meter.is_halted() {
+            return;
+        }
+        let begins = Instant::now();
+        let tolerance = stepping.options.tolerance;
+        let most = deepest_possible(2.0 * strands.iter().map(|strand| strand.contact.wisp_radius).fold(0.0, f64::max), tolerance);
+        let with_bodies =
+            strands.iter().flat_map(|strand| &strand.found).fold(0.0, |depth: f64, contact| depth.max(-contact.gap));
+        let of_hair = |constraint: &&StepConstraint| constraint.second.is_some() && constraint.is_contact();
+        let mut known = islands.iter().flat_map(|island| &island.constraints).filter(of_hair);
+        let least = known
+            .try_fold(with_bodies, |least, constraint| (least < most).then(|| least.max(depth(constraint, strands, tolerance))));
+        if let Some(least) = least.filter(|least| *least < most) {
+            self.find_hair(stepping, strands, HairSearch::DeeperThan(least));
+        }
+        self.seconds += begins.elapsed().as_secs_f64();
     }
 
     fn search<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &mut [ConstrainedStrand], what: SearchFor) {
@@ -151,7 +176,8 @@ impl ContactDetection {
             self.allows = strands.iter().any(|strand| strand.permitted_overlap.is_some());
         }
         let unseen = unseen(stepping.options);
-        for constrained in strands.iter_mut() {
+        let keeps = what == SearchFor::OverlapsWithBodies;
+        for constrained in strands.iter_mut().filter(|constrained| !keeps || constrained.has_gone(unseen)) {
             constrained.found.clear();
         }
         if !stepping.bodies.is_empty() {
@@ -162,12 +188,9 @@ impl ContactDetection {
                 }
             });
         }
-        let leaves_out_hair = what == SearchFor::Deepest && stepping.options.hair && are_deeper_in_bodies(strands);
-        if matches!(what, SearchFor::Start | SearchFor::Deepest) {
-            self.left_out_hair = leaves_out_hair;
-        }
-        if stepping.options.hair && !leaves_out_hair && !stepping.meter.is_halted() {
-            self.find_hair(stepping, strands, what == SearchFor::Start);
+        if stepping.options.hair && what != SearchFor::OverlapsWithBodies && !stepping.meter.is_halted() {
+            let which = if what == SearchFor::Start { HairSearch::AtStart } else { HairSearch::OfMoved };
+            self.find_hair(stepping, strands, which);
         }
         if stepping.meter.is_halted() {
             return;
@@ -178,8 +201,12 @@ impl ContactDetection {
         }
     }
 
-    fn find_hair<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &[ConstrainedStrand], at_start: bool) {
-        let within = if at_start { NEAR } else { 0.0 };
+    fn find_hair<S: Scratch>(&mut self, stepping: &Stepping<S>, strands: &[ConstrainedStrand], which: HairSearch) {
+        let (at_start, within) = match which {
+            HairSearch::AtStart => (true, NEAR),
+            HairSearch::OfMoved => (false, 0.0),
+            HairSearch::DeeperThan(depth) => (false, -depth),
+        };
         let meets_hair =
             |constrained: &ConstrainedStrand| constrained.meets == Meets::All && constrained.contact.wisp_radius > 0.0;
         let wisps = || strands.iter().enumerate().filter(|(_, constrained)| meets_hair(constrained));
@@ -206,7 +233,8 @@ impl ContactDetection {
         if !self.ready {
             return;
         }
-        let moved: Vec<bool> = wisps().map(|(_, constrained)| constrained.has_gone(unseen(stepping.options))).collect();
+        let all = matches!(which, HairSearch::DeeperThan(_));
+        let moved: Vec<bool> = wisps().map(|(_, constrained)| all || constrained.has_gone(unseen(stepping.options))).collect();
         // In tasks of a fixed size, joined in order: the same contacts for any threads.
         let groups: Vec<_> = self.pairs.groups().iter().filter(|pair| moved[pair.a as usize] || moved[pair.b as usize]).collect();
         let tasks = groups.len().div_ceil(PAIRS_PER_TASK);
@@ -365,12 +393,6 @@ impl ContactDetection {
             .flat_map(|(k, constrained)| constrained.found.iter().map(move |contact| (k as u32, contact)));
         bodies.chain(self.hair.iter().map(|contact| (contact.point.strand, contact)))
     }
-}
-
-/// Whether some strand is deeper in a body, by the present search, than any two wisps can be in each other.
-fn are_deeper_in_bodies(strands: &[ConstrainedStrand]) -> bool {
-    let deepest = strands.iter().flat_map(|strand| &strand.found).fold(0.0, |deepest: f64, contact| deepest.max(-contact.gap));
-    deepest > 2.0 * strands.iter().map(|strand| strand.contact.wisp_radius).fold(0.0, f64::max)
 }
 
 /// Strands that have moved by no more than this since their last search are not searched again, m.

@@ -10,7 +10,7 @@
 //! - `pushing.rs`: Removes the depth of yielding contacts.
 //! - `state.rs`: States of an island: where its iteration is, whether it iterates with others, what its bilateral constraints hold.
 
-mod convergence;
+pub(super) mod convergence;
 mod dormant;
 pub mod ending;
 pub mod kink;
@@ -20,7 +20,7 @@ mod state;
 
 use nalgebra::Vector3;
 
-use super::constrained_strand::{Attachment, ConstrainedStrand, LookAhead, Strands};
+use super::constrained_strand::{Attachment, ConstrainedStrand, LookAhead, Rest, Strands};
 use crate::chain::load::MaterialPoint;
 use crate::contact::body_at::BodyAt;
 use crate::contact::constraint::law::Law;
@@ -357,14 +357,14 @@ impl Island {
         (law, u)
     }
 
-    /// How far the resting strands at a constraint's ends would be moved by the present forces, in units of an element's
+    /// How far the resting strands at a constraint's ends would be moved by the present forces if they were to wake, in units of an element's
     /// length.
     fn pushes_resting(&self, index: usize, strands: &(impl Strands + ?Sized)) -> [f64; 2] {
         let ends = if self.constraints[index].second.is_some() { 2 } else { 1 };
         let mut motions = [0.0; 2];
         for (moved, end) in motions.iter_mut().zip(&self.ends[index][..ends]) {
             let strand = &strands[self.strands[end.strand as usize] as usize];
-            if strand.rest.is_resting() {
+            if strand.rest.is_resting() && strand.rest != Rest::Held {
                 let motion = strand
                     .resting_displacement(end.point, &self.is_included, |constraint| self.constraints[constraint].force)
                     .norm();
@@ -372,6 +372,15 @@ impl Island {
             }
         }
         motions
+    }
+
+    /// Whether one of a constraint's ends is on a held strand whose model does not include it: it cannot be in a contact problem.
+    pub(super) fn is_beyond_held(&self, index: usize, strands: &(impl Strands + ?Sized)) -> bool {
+        let ends = if self.constraints[index].second.is_some() { 2 } else { 1 };
+        self.ends[index][..ends].iter().any(|end| {
+            let strand = &strands[self.strands[end.strand as usize] as usize];
+            strand.rest == Rest::Held && !strand.attachments[end.point as usize].modelled
+        })
     }
 
     /// Whether strands may rest in this iteration. Not with bilateral constraints, which hold to the last digit, nor in small

@@ -8,6 +8,7 @@
 //! - `contact_limit.rs`: The largest number of contacts of a strand.
 //! - `coupled_step.rs`: The step of coupled strands: the strands that are constrained in it, their constraints, and their islands, since constraints couple strands.
 //! - `coupling.rs`: Couples strands into islands by their constraints, at first and whenever new ones are found.
+//! - `deep_strands.rs`: Strands that a soft model has left deep in bodies.
 //! - `detection.rs`: Contact detection in a step: contacts of constrained strands with bodies and other strands, as constraints, and their warm start.
 //! - `formula.rs`: The integration formula of constrained strands.
 //! - `island.rs`: Islands: strands coupled by constraints, directly or through others.
@@ -21,6 +22,7 @@ pub mod constrained_strand;
 pub(crate) mod contact_limit;
 pub(crate) mod coupled_step;
 mod coupling;
+mod deep_strands;
 pub(crate) mod detection;
 mod formula;
 pub mod island;

@@ -23,9 +23,14 @@ pub fn depth(constraint: &StepConstraint, strands: &[ConstrainedStrand], toleran
         return depth;
     }
     if depth >= margin {
-        return depth.min(margin.max(THROUGH * tolerance));
+        return depth.min(deepest_possible(margin, tolerance));
     }
     margin - distance([constraint.first, second], strands)
+}
+
+/// How deep strands that keep a distance of `margin` (m) can be in each other, m.
+pub fn deepest_possible(margin: f64, tolerance: f64) -> f64 {
+    margin.max(THROUGH * tolerance)
 }
 
 /// Whether the strands of a contact that holds are no longer there: where they are nearest, near its points, their surfaces are further

@@ -44,7 +44,9 @@ enum Stage {
     LastSearch,
     /// Ends whose energy has risen are rejected.
     Rejection,
-    /// The depth that is left is measured where the step has failed.
+    /// Strands that a soft model has left deep in bodies are brought out.
+    DeepStrands,
+    /// The depth that is left is measured, with the hard models where the step has failed.
     Depths,
 }
 
@@ -85,8 +87,9 @@ impl CoupledStep {
                 Stage::Iteration => self.iterate_round(stepping, scene, &mut round, tally),
                 Stage::Search => self.search(stepping, &mut round, tally),
                 Stage::LastSearch => self.search_last(stepping),
-                Stage::Rejection => self.reject(stepping),
-                Stage::Depths => self.measure_depths(stepping, is_last),
+                Stage::Rejection => self.reject(stepping, is_last),
+                Stage::DeepStrands => self.bring_deep_out(stepping, scene, tally),
+                Stage::Depths => self.measure_depths(stepping),
             };
         }
         begins
@@ -201,7 +204,7 @@ impl CoupledStep {
     }
 
     /// Rejects ends whose energy has risen.
-    fn reject<S>(&mut self, stepping: &Stepping<S>) -> Option<Stage> {
+    fn reject<S>(&mut self, stepping: &Stepping<S>, is_last: bool) -> Option<Stage> {
         if !stepping.options.model.is_soft() {
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             islands.iter_mut().for_each(|island| island.reject_risen(strands, stepping.h));
@@ -209,19 +212,32 @@ impl CoupledStep {
             for strand in strands.iter_mut().filter(|strand| Some(strand.index) == self.risen) {
                 islands[strand.island as usize].progress.ending.reject(strand);
             }
+            return Some(Stage::Depths);
         }
+        // Soft models search only at the start.
+        (is_last && self.detection.is_possible(stepping)).then_some(Stage::DeepStrands)
+    }
+
+    /// Brings strands that a soft model has left deep out of bodies.
+    fn bring_deep_out<S: Scratch>(
+        &mut self,
+        stepping: &Stepping<S>,
+        scene: &mut dyn CoupledScene,
+        tally: &mut IterationTally,
+    ) -> Option<Stage> {
+        self.bring_out(stepping, scene, tally);
         Some(Stage::Depths)
     }
 
     /// Measures how deep strands are left, at no cost to the budget: whatever was cut short is reported.
-    fn measure_depths<S: Scratch>(&mut self, stepping: &Stepping<S>, is_last: bool) -> Option<Stage> {
-        stepping.meter.uncounted(|| self.look_at_failures(stepping, is_last));
+    fn measure_depths<S: Scratch>(&mut self, stepping: &Stepping<S>) -> Option<Stage> {
+        stepping.meter.uncounted(|| self.look_at_failures(stepping));
         None
     }
 
     /// Measures the depth of islands that have not converged or are held apart by springs, and of overlap that no constraint
     /// represents. Their constraints only tell the depth where the contacts were found.
-    fn look_at_failures<S: Scratch>(&mut self, stepping: &Stepping<S>, is_last: bool) {
+    fn look_at_failures<S: Scratch>(&mut self, stepping: &Stepping<S>) {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
         if stepping.meter.is_halted() {
             return;
@@ -229,15 +245,17 @@ impl CoupledStep {
         let is_looked_at = |constrained: &ConstrainedStrand| {
             constrained.left_deep || constrained.lags() || islands[constrained.island as usize].failed()
         };
-        // Penalty models search only at the start.
-        let all = stepping.options.model.is_soft();
-        if !self.detection.is_possible(stepping) || (all && !is_last) || !(all || strands.iter().any(is_looked_at)) {
+        if stepping.options.model.is_soft() {
+            // Bodies have been searched.
+            self.detection.find_deeper_hair(stepping, strands, islands);
+        } else if self.detection.is_possible(stepping) && strands.iter().any(is_looked_at) {
+            for constrained in strands.iter_mut() {
+                constrained.step.gone = if is_looked_at(constrained) { f64::INFINITY } else { 0.0 };
+            }
+            self.detection.find(stepping, strands, SearchFor::Overlaps);
+        } else {
             return;
         }
-        for constrained in strands.iter_mut() {
-            constrained.step.gone = if all || is_looked_at(constrained) { f64::INFINITY } else { 0.0 };
-        }
-        self.detection.find(stepping, strands, if all { SearchFor::Deepest } else { SearchFor::Overlaps });
         self.detection.report_depths(stepping, strands, islands, true);
         if stepping.meter.is_halted() || !strands.iter().any(ConstrainedStrand::lags) {
             return;

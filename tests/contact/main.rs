@@ -5,6 +5,7 @@ mod at_points_at_speed;
 mod comb_through_rooted_hair;
 mod contact_space_solver;
 mod crowded_scene;
+mod deep_strands;
 mod deforming_meshes;
 mod delassus_operator;
 mod determinism;

@@ -126,7 +126,7 @@ pub struct TwoStrands<'a> {
     pub wisp_a: &'a Wisp,
     /// The partner's.
     pub wisp_b: &'a Wisp,
-    /// Gaps up to this are contacts, m, zero or above.
+    /// Gaps up to this are contacts, m; below zero: only what is as deep.
     pub within: f64,
     /// The rotation of the common motion of all strands since the start of the step.
     pub turned: Matrix3<f64>,

@@ -59,12 +59,14 @@ pub enum Rest {
     RestingAgain,
     /// It moves and rests no more.
     Awake,
+    /// It stays where it is, whatever the forces, while strands among which it is are brought out of bodies.
+    Held,
 }
 
 impl Rest {
     /// Whether it rests.
     pub fn is_resting(self) -> bool {
-        matches!(self, Self::Resting | Self::RestingAgain)
+        matches!(self, Self::Resting | Self::RestingAgain | Self::Held)
     }
 
     /// Whether it moves, and may come to rest.
@@ -77,6 +79,7 @@ impl Rest {
         *self = match self {
             Self::Active | Self::Resting => Self::Resting,
             Self::Woken | Self::RestingAgain | Self::Awake => Self::RestingAgain,
+            Self::Held => Self::Held,
         };
     }
 
@@ -86,6 +89,7 @@ impl Rest {
             Self::Active => Self::Active,
             Self::Resting | Self::Woken => Self::Woken,
             Self::RestingAgain | Self::Awake => Self::Awake,
+            Self::Held => Self::Held,
         };
     }
 
@@ -95,6 +99,7 @@ impl Rest {
             Self::Active | Self::Resting => Self::Active,
             Self::Woken | Self::RestingAgain => Self::Woken,
             Self::Awake => Self::Awake,
+            Self::Held => Self::Held,
         };
     }
 
@@ -156,5 +161,15 @@ mod tests {
         rest.stir();
         assert_eq!(rest, Rest::Woken);
         assert!(rest.may_rest());
+    }
+
+    #[test]
+    fn a_held_strand_stays_whatever_happens() {
+        let mut rest = Rest::Held;
+        rest.wake();
+        rest.stir();
+        rest.settle();
+        assert_eq!(rest, Rest::Held);
+        assert!(rest.is_resting() && !rest.may_rest());
     }
 }

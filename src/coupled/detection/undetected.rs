@@ -19,13 +19,14 @@ const WILD: f64 = 1.0;
 const CROWD: usize = 20;
 
 impl ContactDetection {
-    /// Of the contacts found last: overlaps at the present iterate that no constraint represents. `None` if the meter has
-    /// halted it: strands with contacts still count as moved.
+    /// Of the contacts found last of the strands that are `asked`: overlaps at the present iterate that no constraint represents. `None` if the
+    /// meter has halted it: strands with contacts still count as moved.
     fn undetected<S>(
         &mut self,
         stepping: &Stepping<S>,
         strands: &mut [ConstrainedStrand],
         islands: &[Island],
+        asked: impl Fn(u32) -> bool,
     ) -> Option<Vec<StepConstraint>> {
         let (mut undetected, mut left_deep, mut halted) =
             (std::mem::take(&mut self.undetected), std::mem::take(&mut self.left_deep), false);
@@ -35,8 +36,8 @@ impl ContactDetection {
             if halted {
                 break;
             }
-            if contact.gap >= -stepping.options.tolerance || islands[strands[constrained as usize].island as usize].is_given_up()
-            {
+            let is_given_up = || islands[strands[constrained as usize].island as usize].is_given_up();
+            if contact.gap >= -stepping.options.tolerance || !asked(constrained) || is_given_up() {
                 continue;
             }
             let mut constraint = self.constraint(stepping, strands, constrained, contact);
@@ -75,7 +76,7 @@ impl ContactDetection {
         strands: &mut [ConstrainedStrand],
         islands: &mut [Island],
     ) -> bool {
-        let undetected = self.undetected(stepping, strands, islands);
+        let undetected = self.undetected(stepping, strands, islands, |_| true);
         for end in undetected.iter().flatten().flat_map(StepConstraint::ends) {
             let strand = &mut strands[end.strand as usize];
             strand.has_undetected = true;
@@ -98,7 +99,7 @@ impl ContactDetection {
         lets_go: bool,
     ) -> Option<usize> {
         constraints.clear();
-        let mut undetected = self.undetected(stepping, strands, islands)?;
+        let mut undetected = self.undetected(stepping, strands, islands, |_| true)?;
         leave_wild_ones(&mut undetected, strands, islands);
         let departed = if lets_go { departed(strands, islands, stepping.options.tolerance) } else { Vec::new() };
         if undetected.is_empty() && departed.is_empty() {
@@ -107,6 +108,36 @@ impl ContactDetection {
         }
         let gone = departed.iter().map(|(island, index)| &islands[*island].constraints[*index]);
         let changed: Vec<u32> = undetected.iter().chain(gone).flat_map(StepConstraint::ends).map(|end| end.strand).collect();
+        Some(self.dissolve(changed, undetected, departed, strands, islands, constraints))
+    }
+
+    /// The same for `asked` strands (ascending), whose islands are formed again whether anything is new or not. False if the meter has halted it.
+    pub fn add_undetected_of<S>(
+        &mut self,
+        asked: &[u32],
+        stepping: &Stepping<S>,
+        strands: &mut [ConstrainedStrand],
+        islands: &mut [Island],
+        constraints: &mut Vec<StepConstraint>,
+    ) -> bool {
+        constraints.clear();
+        let is_asked = |constrained: u32| asked.binary_search(&constrained).is_ok();
+        let Some(undetected) = self.undetected(stepping, strands, islands, is_asked) else { return false };
+        self.dissolve(asked.to_vec(), undetected, Vec::new(), strands, islands, constraints);
+        true
+    }
+
+    /// Dissolves the islands of `changed` strands. Puts their constraints in `constraints`, without those that have `departed` (by island and index,
+    /// ascending), and with the `undetected` ones, whose number it returns.
+    fn dissolve(
+        &mut self,
+        changed: Vec<u32>,
+        mut undetected: Vec<StepConstraint>,
+        departed: Vec<(usize, usize)>,
+        strands: &mut [ConstrainedStrand],
+        islands: &mut [Island],
+        constraints: &mut Vec<StepConstraint>,
+    ) -> usize {
         let mut dissolved: Vec<usize> = changed.iter().map(|strand| strands[*strand as usize].island as usize).collect();
         dissolved.sort_unstable();
         dissolved.dedup();
@@ -157,7 +188,7 @@ impl ContactDetection {
             }
         }
         self.undetected = undetected;
-        Some(added)
+        added
     }
 }
 

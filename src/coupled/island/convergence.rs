@@ -5,13 +5,14 @@ use super::{DIVERGED, FEW, Island, ROUGH};
 use crate::contact::constraint::law::Law;
 use crate::contact::constraint::step_constraint::{Give, Standing, StepConstraint};
 use crate::contact::options::{ContactOptions, MAX_CHOSEN_ITERATIONS};
-use crate::coupled::constrained_strand::Strands;
+use crate::coupled::constrained_strand::{Rest, Strands};
 
 /// Tolerance of a rigid bilateral constraint at the end of a step, m.
 const BILATERAL_TOLERANCE: f64 = 1e-10;
-/// The distance of an element from convergence that a rough solve leaves, rad; the same for the penalty models.
+/// The distance of an element from convergence that a rough solve leaves, rad.
 const ROUGH_TOLERANCE: f64 = 1e-3;
-const SOFT_TOLERANCE: f64 = 2e-3;
+/// The same for the penalty models.
+pub(in crate::coupled) const SOFT_TOLERANCE: f64 = 2e-3;
 /// Iterations of all strands in which the residual, or the number of unconverged strands and constraints, must halve: in an island that is
 /// good enough as it is; in a large island whose contacts may yet yield; elsewhere. Otherwise the island makes no progress and
 /// is ended.
@@ -57,7 +58,8 @@ impl Island {
         };
         let tolerance_asked = tolerance;
         let tolerance = tolerance.max(enough_for_contacts);
-        let residual = self.strands.iter().map(|strand| strands[*strand as usize].residual).fold(0.0, f64::max);
+        let iterating = self.strands.iter().map(|strand| &strands[*strand as usize]).filter(|strand| strand.rest != Rest::Held);
+        let residual = iterating.map(|strand| strand.residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= ENOUGH_TURN;
         let (mut rested, mut wakes_some) = (0.0_f64, false);
@@ -70,6 +72,11 @@ impl Island {
                     self.rouse(index, strands, options, step);
                 }
                 let Standing { law_residual, holds, nearly, .. } = self.constraints[index].standing;
+                if self.is_beyond_held(index, strands) || self.constraints[index].is_held(strands) {
+                    // Nothing waits for it.
+                    rested = rested.max(law_residual);
+                    continue;
+                }
                 if !holds && !self.constraints[index].is_dormant() {
                     // Its strands all rest, and nothing else would wake them.
                     self.constraints[index].standing.wakes = [true; 2];

@@ -9,7 +9,7 @@ use super::convergence::{is_nearly_outside, is_outside};
 use crate::contact::constraint::law::Law;
 use crate::contact::constraint::step_constraint::{Activity, Give, Standing, StepConstraint};
 use crate::contact::options::ContactOptions;
-use crate::coupled::constrained_strand::Strands;
+use crate::coupled::constrained_strand::{Rest, Strands};
 
 /// A contact becomes dormant if its surfaces are further apart than this many times their relative motion in the iteration: the
 /// next ones are shorter.
@@ -19,6 +19,11 @@ impl StepConstraint {
     /// Whether a strand at one of its ends takes part in the iteration.
     pub(super) fn moves(&self, strands: &(impl Strands + ?Sized)) -> bool {
         self.ends().any(|end| !strands[end.strand as usize].rest.is_resting())
+    }
+
+    /// Whether no strand at its ends moves, since one is held.
+    pub(super) fn is_held(&self, strands: &(impl Strands + ?Sized)) -> bool {
+        !self.moves(strands) && self.ends().any(|end| strands[end.strand as usize].rest == Rest::Held)
     }
 
     /// Takes it into contact problems again; it may fall asleep once more.

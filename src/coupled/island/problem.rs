@@ -175,7 +175,7 @@ impl Island {
         self.strand_is_included.clear();
         self.strand_is_included.resize(self.strands.len(), false);
         for (index, (constraint, ends)) in self.constraints.iter().zip(&self.ends).enumerate() {
-            let is_included = !constraint.is_dormant() && constraint.moves(strands);
+            let is_included = !constraint.is_dormant() && constraint.moves(strands) && !self.is_beyond_held(index, strands);
             self.is_included.push(is_included);
             if is_included {
                 self.included.push(index as u32);

@@ -5,8 +5,8 @@ use crate::contact::contact_point::{ContactPoint, Partner, StrandPath, StrandPoi
 use crate::contact::narrow_phase::strand_contacts::{Encounter, MovingPiece, PairScratch, TwoStrands};
 
 impl HairPairs {
-    /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m, zero or
-    /// above; no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do
+    /// Appends the contacts of a pair of strands to `out`, by arclength of the first strand: gaps up to `within` (m; no
+    /// further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do
     /// so for different groups; with the groups in their order, contacts are sorted by first strand, second strand, arclength
     /// of the first, of the second.
     pub fn contacts(

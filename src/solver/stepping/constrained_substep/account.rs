@@ -74,7 +74,6 @@ impl ConstrainedSubstep {
     /// Writes down the results of strands and constraints, except those that have taken the substep in substeps; of these only
     /// the roots, which are where the host has put them.
     pub(super) fn report(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
-        let left_out_hair = self.coupled.detection().has_left_out_hair();
         let (strands, islands) = (self.coupled.strands(), self.coupled.islands());
         let contact = &mut *account.contact;
         (contact.contacts, contact.roots_inside, contact.capped) = (0, 0, 0);
@@ -97,7 +96,8 @@ impl ConstrainedSubstep {
             contact.unconverged += u32::from(!island.progress.ending.is_converged());
             contact.residual = contact.residual.max(island.progress.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
-            let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
+            let soft = scene.options.model.is_soft();
+            let was_searched = if soft { scene.is_last } else { island.failed() };
             for constraint in &island.constraints {
                 match constraint.bilateral() {
                     Some(index) => {
@@ -106,16 +106,14 @@ impl ConstrainedSubstep {
                         scene.constraints[index as usize].add_report(constraint, &strand.path().now);
                     }
                     None => {
-                        let was_left_out = left_out_hair && constraint.second.is_some();
+                        // (Soft models search for hair that is deeper than what is known, and for no other.)
+                        let was_left_out = soft && constraint.second.is_some();
                         let was_measured = was_searched && !was_left_out && -constraint.gap > scene.options.tolerated_depth();
                         let deep = if was_measured { 0.0 } else { depth(constraint, strands, scene.options.tolerance) };
                         contact.penetration = contact.penetration.max(deep);
                         // (A contact with friction but no pressure is none, nor is one that pulls, as left by an iteration that
                         // was cut or given up.)
-                        if constraint.force == Vector3::zeros()
-                            || constraint.draws()
-                            || scene.options.model.is_soft() && !constraint.presses()
-                        {
+                        if constraint.force == Vector3::zeros() || constraint.draws() || soft && !constraint.presses() {
                             continue;
                         }
                         contact.contacts += 1;
