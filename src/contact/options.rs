@@ -95,9 +95,9 @@ pub struct ContactOptions {
     pub separation_speed: f64,
     /// The limit of Newton iterations that strands take together in a step; 1 to 10000. With the soft models up to ten are a
     /// choice of what to pay for a step (`docs/notebook/contact.md` has prices of one, two and four): what springs have not
-    /// pushed out by then they do in the next steps, and strands that have not converged are reported (those left deep in bodies take up to 24
-    /// more by themselves). More, and any number
-    /// with the other models, are a limit: what has not converged by then is repeated with constraints that yield.
+    /// pushed out by then they do in the next steps, and strands that have not converged are reported. (Those left deep in bodies
+    /// go on by themselves, up to four times, with six more or this many if that is more.) More, and any number with the other
+    /// models, are a limit: what has not converged by then is repeated with constraints that yield.
     pub max_iterations: u32,
     /// The limit of sweeps of the contact problem's solver in each of them; 1 to 1000000.
     pub max_sweeps: u32,

@@ -63,7 +63,7 @@ impl ContactDetection {
         self.left_deep = left_deep;
         if halted {
             let with_contacts: Vec<u32> = self.found(strands).map(|(constrained, _)| constrained).collect();
-            with_contacts.iter().for_each(|constrained| strands[*constrained as usize].step.gone = f64::INFINITY);
+            with_contacts.iter().for_each(|constrained| strands[*constrained as usize].search_all_of_it());
         }
         (!halted).then_some(undetected)
     }

@@ -972,8 +972,8 @@ struct contact_options : shx_contact_options {
 
   // Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. Default 50. All but
   // SHX_CONTACT_COULOMB: up to 10 is a choice of cost; the remaining penetration is resolved in later steps, and only SHX_CONTACT_AT_POINTS
-  // reports it. (Strands left deep in a body take up to 24 more by themselves.) Larger values, and any with SHX_CONTACT_COULOMB, are
-  // limits: an island that reaches one is solved again with compliant contacts.
+  // reports it. (Strands left deep in a body go on by themselves, up to four times, with 6 more or max_iterations if that is more.) Larger
+  // values, and any with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved again with compliant contacts.
   contact_options &with_max_iterations(std::uint32_t value) {
     max_iterations = value;
     return *this;

@@ -711,9 +711,9 @@ class ContactOptions(Record):
     max_iterations = IntField(
         "Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. "
         "Default 50. All but ContactModel.COULOMB: up to 10 is a choice of cost; the remaining penetration is resolved in later "
-        "steps, and only ContactModel.AT_POINTS reports it. (Strands left deep in a body take up to 24 more by themselves.) "
-        "Larger values, and any with ContactModel.COULOMB, are limits: an island that reaches one is solved again with compliant "
-        "contacts."
+        "steps, and only ContactModel.AT_POINTS reports it. (Strands left deep in a body go on by themselves, up to four times, "
+        "with 6 more or max_iterations if that is more.) Larger values, and any with ContactModel.COULOMB, are limits: an island "
+        "that reaches one is solved again with compliant contacts."
     )
     max_sweeps = IntField("Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.")
     stiffness = FloatField(
